@@ -11,6 +11,7 @@
 #include <string>
 
 #include "app/exit_code.hpp"
+#include "app/proof_of_answer.hpp"
 #include "app/solution_output.hpp"
 #include "app/terminal.hpp"
 #include "app/verbs.hpp"
@@ -41,9 +42,6 @@ struct CheckFlags {
 };
 
 #ifdef BRACHISTO_HAS_ARB
-
-constexpr const char* kProofDocument = "proof.json";
-constexpr const char* kProofPage = "proof.md";
 
 int not_shown(const std::string& status, const std::string& why, bool json) {
   if (json) print_json({{"status", status}, {"message", why}});
@@ -152,9 +150,7 @@ int check(const CheckFlags& flags) {
 #else
 
 int without_arb() {
-  tell_error(
-      "brachisto: built without Arb, no proofs: install libflint-arb-dev "
-      "(Debian 12) or libflint-dev (Debian 13) and configure again\n");
+  tell_error(fmt::format("brachisto: {}\n", no_proofs_because()));
   return kUsage;
 }
 int prove(const ProveFlags&) {

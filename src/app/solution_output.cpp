@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "app/exit_code.hpp"
+#include "app/proof_of_answer.hpp"
 #include "app/signals.hpp"
 #include "app/terminal.hpp"
 #include "brachisto/math/clock.hpp"
@@ -94,7 +95,8 @@ PageFiles page_files(const report::Json& result, const Scene& scene,
 }
 
 std::vector<std::string> solution_files() {
-  std::vector<std::string> names{kResultFile, kTrajectoryFile};
+  std::vector<std::string> names{kResultFile, kTrajectoryFile, kProofDocument,
+                                 kProofPage};
   names.insert(names.end(), kPathFiles.begin(), kPathFiles.end());
   names.insert(names.end(), kPageFiles.begin(), kPageFiles.end());
   return names;

@@ -14,6 +14,7 @@
 
 #include "app/build_flags.hpp"
 #include "app/exit_code.hpp"
+#include "app/proof_of_answer.hpp"
 #include "app/signals.hpp"
 #include "app/solution_output.hpp"
 #include "app/solve_progress.hpp"
@@ -45,6 +46,11 @@ int run(const SolveFlags& flags) {
     overrides.push_back("solver.certify=" + flags.certify);
   }
   const io::ProblemFile problem = io::read_problem_file(flags.file, overrides);
+  const bool proves = asks_for_proof(problem.options);
+  if (const std::string why = no_proofs_because(); proves && !why.empty()) {
+    tell_error(fmt::format("brachisto: solver.certify: {}\n", why));
+    return kUsage;
+  }
   if (!flags.out.empty()) {
     report::check_writable(flags.out, solution_files(), flags.force);
   }
@@ -68,7 +74,13 @@ int run(const SolveFlags& flags) {
   Solution solution = solve_in_time(problem, flags.json,
                                     {.interrupt = &signal,
                                      .verbose = flags.verbose,
-                                     .progress = std::move(hook)});
+                                     .progress = hook});
+  std::vector<report::OutputFile> proof;
+  if (proves) {
+    const StopCondition stop(
+        problem.options.limits.seconds - solution.effort.seconds, &signal);
+    proof = prove_answer(solution, stop, hook);
+  }
 
   for (const io::Diagnostic& warning : problem.warnings) {
     solution.warnings.push_back(io::to_string(warning));
@@ -81,6 +93,7 @@ int run(const SolveFlags& flags) {
                              .force = flags.force,
                              .json = flags.json,
                              .quiet = flags.quiet,
+                             .further = std::move(proof),
                              .gif = flags.gif},
                             signal);
   if (code == kSuccess) flags.build.write(drawings, flags.force);
@@ -101,7 +114,7 @@ Verb solve_verb() {
        .needs = {"--out"}},
       {.name = "--certify",
        .value = &flags->certify,
-       .text = "Cross-check: none or extremal (solver.certify)",
+       .text = "Cross-check: none, extremal or proof (solver.certify)",
        .placeholder = "METHOD",
        .check = word_of("solver.certify")}};
   std::ranges::move(flags->build.flags(), std::back_inserter(own));

@@ -162,12 +162,13 @@ void check_limited(const Check& check) {
 
 /// What finds, searches for or compares with an extremal.
 constexpr std::string_view kEvaluated = "what is given is evaluated, not found";
-constexpr std::array<Excluded, 8> kOfExtremals{
+constexpr std::array<Excluded, 9> kOfExtremals{
     {{"discretisation.formulation", "arc_length", kEvaluated},
      {"solver.method", "extremal", kEvaluated},
      {"solver.method", "fsolve", kEvaluated},
      {"solver.method", "newton_kkt", kEvaluated},
      {"solver.certify", "extremal", kEvaluated},
+     {"solver.certify", "proof", kEvaluated},
      {"solver.search", "global", kEvaluated},
      {"solver.guess", "straight", kEvaluated},
      {"solver.guess", "random", kEvaluated}}};

@@ -47,6 +47,10 @@ void check_ways(const Check& check) {
            "a design follows the principal branch; the search that global "
            "makes for one body can be made for the best one");
   }
+  if (problem.program.certify == Certify::Proof) {
+    refuse("solver.certify",
+           "a proof is of one body; take `brachisto prove DIR` on the result");
+  }
 }
 
 /// Free parts are parts that can move, and nothing else is free beside them.

@@ -591,8 +591,11 @@ Keys solver_keys() {
        "contact together"},
       {"solver.certify",
        choice<kProgram, &Collocation::certify>(
-           {{"none", Certify::None}, {"extremal", Certify::Extremal}}),
-       "extremal: solve once more by multiple shooting and compare"},
+           {{"none", Certify::None},
+            {"extremal", Certify::Extremal},
+            {"proof", Certify::Proof}}),
+       "extremal: solve once more by multiple shooting and compare; proof: "
+       "enclose the extremal, as `brachisto prove` does; of one scene"},
       {"solver.sensitivities",
        choice<kCollocation, &Collocation::sensitivities>(
            {{"false", SensitivityOrder::None},

@@ -188,6 +188,23 @@ void refuse_idle_overrides(const SweepSection& section,
   }
 }
 
+/// Seconds a scene, and pages that nobody reads: of results that are of
+/// interest `brachisto prove` proves them.
+void refuse_proofs(const SweepSection& section, const YamlValue& root,
+                   const Draft& base, Findings& findings) {
+  constexpr const char* kKey = "solver.certify";
+  constexpr const char* kWhy =
+      "a sweep proves nothing; take `brachisto prove` on one of its scenes";
+  if (const SweepEntry* entry = section.find(kKey)) {
+    const auto* words = std::get_if<std::vector<std::string>>(&entry->rule);
+    if (words != nullptr && std::ranges::count(*words, "proof") > 0) {
+      findings.add(entry->position, kKey, kWhy);
+    }
+  } else if (base.program.certify == Certify::Proof) {
+    findings.add(position_of(root, kKey), kKey, kWhy);
+  }
+}
+
 /// Makes an entry that the reader passes over for each key that varies.
 void mark_swept(const SweepSection& section, YamlValue& root) {
   for (const SweepEntry& entry : section.entries) {
@@ -219,6 +236,7 @@ SweepFile read_sweep(InputTree input, const std::vector<std::string>& overrides,
   read_path_points(input, points, base, findings);
   read_body_parts(input.root, base, findings);
   check_shared(section, input.root, base, findings);
+  refuse_proofs(section, input.root, base, findings);
   std::optional<SweepNames> names =
       resolve_names(section, input.root, findings);
   const bool scenes_exist = readable && names;

@@ -105,7 +105,8 @@ template <class Scalar>
                                     const Scalar& z, const Scalar& theta) {
   using std::cos;
   using std::sin;
-  const double r_m = scene.body.radius * scene.body.eta_m;
+  using Constant = math::ConstantOf<Scalar>;
+  const Constant r_m = Constant(scene.body.radius) * scene.body.eta_m;
   return height_above_surface(scene, Scalar(x + cos(theta) * r_m),
                               Scalar(z + sin(theta) * r_m));
 }
@@ -126,7 +127,8 @@ template <class Scalar>
   if (!scene.body.off_centred() || !scene.world.field_varies()) {
     return field_at(scene, x, z);
   }
-  const double r_m = scene.body.radius * scene.body.eta_m;
+  using Constant = math::ConstantOf<Scalar>;
+  const Constant r_m = Constant(scene.body.radius) * scene.body.eta_m;
   return field_at(scene, Scalar(x + cos(theta) * r_m),
                   Scalar(z + sin(theta) * r_m));
 }

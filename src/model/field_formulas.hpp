@@ -22,6 +22,7 @@
 #include <optional>
 
 #include "brachisto/model/world.hpp"
+#include "math/constant_of.hpp"
 
 namespace brachisto {
 
@@ -60,16 +61,18 @@ template <class Scalar>
                                 const std::optional<FieldSide>& side,
                                 const Scalar& x, const Scalar& z) {
   using std::sqrt;
-  const double R = sphere.radius;
+  using Constant = math::ConstantOf<Scalar>;
+  const Constant R(sphere.radius);
   const Scalar dx = x - Scalar(sphere.centre.x);
   const Scalar dz = z - Scalar(sphere.centre.z);
   const Scalar square = dx * dx + dz * dz;
-  const double at_surface = share * sphere.surface_gravity / R;
+  const Constant at_surface = Constant(share) * sphere.surface_gravity / R;
   const auto inside = [&] { return Scalar(-at_surface); };
   const auto outside = [&]() -> Scalar {
     return Scalar(-at_surface * R * R * R) / (square * sqrt(square));
   };
-  const Scalar per_length = !side ? where_above(square, R * R, outside, inside)
+  const Scalar per_length = !side ? where_above(square, sphere.radius * sphere.radius,
+                                             outside, inside)
                             : *side == FieldSide::Outside ? outside()
                                                           : inside();
   return {dx * per_length, dz * per_length};

@@ -61,12 +61,12 @@ lossless_contact_force(const Scene& scene, const TurningPoint<Scalar>& at) {
   using std::sin;
   using std::sqrt;
   const Body& body = scene.body;
-  const double per_g = 1.0 / scene.gravity;
+  using Constant = math::ConstantOf<Scalar>;
+  const Constant per_g = Constant(1.0) / scene.gravity;
   const Pull<Scalar> G = pull_on(scene, at.x, at.z, at.theta);
   const Scalar cos_beta = cos(at.beta), sin_beta = sin(at.beta);
   const Scalar pressing = G.z * cos_beta - G.x * sin_beta;
   if (!body.off_centred()) {
-    using Constant = math::ConstantOf<Scalar>;
     const auto A = axisymmetric_inertia_factor<Constant>(body);
     const Scalar gain =
         work_gain(scene, at.x, at.z, at.theta, at.w, at.beta, Scalar(sqrt(A)));
@@ -85,7 +85,7 @@ lossless_contact_force(const Scene& scene, const TurningPoint<Scalar>& at) {
   Scalar pulling = G.x * cos_beta + G.z * sin_beta;
   if (air) pulling = pulling - drag(scene.world.air, Scalar(at.w / root));
   const Scalar per_A = Scalar(1.0) / A;
-  const Scalar spin = at.w * (1.0 / body.radius);
+  const Scalar spin = at.w * (Constant(1.0) / body.radius);
   const Scalar v_dot = (gain + at.w * eta_cos * (spin - at.q) * per_A) * per_A;
   const Scalar centripetal = at.w * spin * per_A;
   return {(pressing -

@@ -13,13 +13,12 @@
 #include <utility>
 
 #include "brachisto/version.hpp"
+#include "proof/arc_theorems.hpp"
 
 namespace brachisto::proof {
 
 namespace {
 
-constexpr std::array<const char*, kUnknowns> kUnknownNames{"p_x", "p_z",
-                                                           "p_theta_0", "U"};
 constexpr int kDigits = 20;  // behind the point, of ends that are printed
 
 /// Where a ball ends, rounded outward to so many digits behind the point.
@@ -67,10 +66,6 @@ Json stated(const Real& found, double times = 1.0) {
           {"ball", wide.exact()}};
 }
 
-std::string hex(double number) {
-  return fmt::format("{:a}", number);
-}
-
 Json theorem(const Theorem& shown) {
   Json out = {{"holds", shown.holds}};
   if (!shown.holds) out["why_not"] = shown.why_not;
@@ -100,23 +95,85 @@ Json friction(const std::vector<Friction>& shown) {
   return out;
 }
 
-Json scene_json(const Scene& scene) {
-  return {{"shape", scene.body.rolls() ? "cylinder" : "bead"},
-          {"radius", hex(scene.body.radius)},
-          {"eta_m", hex(scene.body.eta_m)},
-          {"theta_m", hex(scene.body.theta_m)},
-          {"k", hex(scene.body.k)},
-          {"L", hex(scene.L)},
-          {"H", hex(scene.H)},
-          {"contact", scene.contact == Contact::Smooth ? "smooth" : "centre"}};
+/// What was shown, of one free arc or of a chain.
+struct Shown {
+  std::vector<std::string> names;  ///< of the unknowns
+  Vector searched, found;
+  int steps = 0;
+  Enclosures enclosed;
+  Json theorems;
+  std::vector<Friction> friction;
+  std::vector<Junction> junctions;
+  Json arcs;  ///< null of one free arc of a plain scene
+};
+
+Json theorems_of(const Theorems& shown) {
+  return {{"exists_once_in_box", {{"holds", true}}},
+          {"legendre", theorem(shown.legendre)},
+          {"no_conjugate_point", theorem(shown.no_conjugate_point)},
+          {"strict_minimum", {{"holds", shown.strict_minimum()}}},
+          {"other_slopes_cost_more", excess(shown.excess)},
+          {"strong_minimum", {{"holds", shown.strong_minimum()}}},
+          {"normal_force_positive", theorem(shown.presses)},
+          {"no_fold", theorem(shown.no_fold)},
+          {"no_loop", theorem(shown.no_loop)}};
 }
 
-Json document(const Scene& scene, const Accuracy& accuracy, const Root& root,
-              const Theorems& shown) {
+Json theorems_of(const ArcTheorems& shown) {
+  return {{"exists_once_in_box", {{"holds", true}}},
+          {"legendre", theorem(shown.legendre)},
+          {"keeps_limits", theorem(shown.keeps)},
+          {"multipliers", theorem(shown.multipliers)},
+          {"normal_force_positive", theorem(shown.presses)},
+          {"no_fold", theorem(shown.no_fold)},
+          {"no_loop", theorem(shown.no_loop)}};
+}
+
+Shown shown_of(const Scene& scene, const Root& root, const Accuracy& accuracy) {
+  const Theorems found =
+      prove_theorems(scene, as_free(scene, root), accuracy);
+  return {{"p_x", "p_z", "p_theta_0", "U"},
+          root.searched,
+          root.found,
+          root.steps,
+          found.enclosed,
+          theorems_of(found),
+          found.friction,
+          {},
+          {}};
+}
+
+Shown shown_of(const ArcSystem& system, const ArcRoot& root,
+               const Accuracy& accuracy) {
+  const ArcChain& chain = system.chain();
+  Shown out;
+  out.names = chain.names();
+  out.searched = root.searched;
+  out.found = root.found;
+  out.steps = root.steps;
+  out.arcs = arcs_json(chain);
+  stays_on_its_side(system, root, accuracy);
+  if (chain.one_free_arc()) {
+    const Theorems found =
+        prove_theorems(chain.scene, as_free(chain, root), accuracy);
+    out.enclosed = found.enclosed;
+    out.theorems = theorems_of(found);
+    out.friction = found.friction;
+  } else {
+    const ArcTheorems found = prove_arc_theorems(system, root, accuracy);
+    out.enclosed = found.enclosed;
+    out.theorems = theorems_of(found);
+    out.junctions = found.junctions;
+  }
+  return out;
+}
+
+Json document(const Scene& scene, const Accuracy& accuracy,
+              const Shown& shown) {
   Json unknowns;
-  for (std::size_t i = 0; i < kUnknowns; ++i) {
-    unknowns[kUnknownNames[i]] = {{"searched", root.searched[i].exact()},
-                                  {"found", root.found[i].exact()}};
+  for (std::size_t i = 0; i < shown.names.size(); ++i) {
+    unknowns[shown.names[i]] = {{"searched", shown.searched[i].exact()},
+                                {"found", shown.found[i].exact()}};
   }
   const Enclosures& e = shown.enclosed;
   Json out = {{"certificate", "brachisto proof"},
@@ -129,7 +186,7 @@ Json document(const Scene& scene, const Accuracy& accuracy, const Root& root,
                {{"bits", accuracy.bits},
                 {"terms", accuracy.terms},
                 {"share", hex(accuracy.share)},
-                {"steps", root.steps}}},
+                {"steps", shown.steps}}},
               {"unknowns", unknowns},
               {"enclosures",
                {{"tau", stated(e.tau)},
@@ -137,34 +194,17 @@ Json document(const Scene& scene, const Accuracy& accuracy, const Root& root,
                 {"end_angle", stated(e.end_angle)},
                 {"length_per_H", stated(e.length)},
                 {"rotation", stated(e.rotation)}}},
-              {"theorems",
-               {{"exists_once_in_box", {{"holds", true}}},
-                {"legendre", theorem(shown.legendre)},
-                {"no_conjugate_point", theorem(shown.no_conjugate_point)},
-                {"strict_minimum", {{"holds", shown.strict_minimum()}}},
-                {"other_slopes_cost_more", excess(shown.excess)},
-                {"strong_minimum", {{"holds", shown.strong_minimum()}}},
-                {"normal_force_positive", theorem(shown.presses)},
-                {"no_fold", theorem(shown.no_fold)},
-                {"no_loop", theorem(shown.no_loop)}}},
+              {"theorems", shown.theorems},
               {"least_friction", friction(shown.friction)}};
-  out["digest"] = digest(out);
-  return out;
-}
-
-double number(const Json& scene, const char* key) {
-  const std::string text = scene.at(key).get<std::string>();
-  std::size_t read = 0;
-  const double out = std::stod(text, &read);
-  if (read != text.size()) throw Refused("the scene has no such number");
-  return out;
-}
-
-Real ball(const Json& text) {
-  Real out;
-  if (!Real::read(text.get<std::string>(), out) || !out.finite()) {
-    throw Refused("a ball cannot be read");
+  if (!shown.arcs.is_null()) {
+    out["arcs"] = shown.arcs;
+    Json& junctions = out["junctions"] = Json::array();
+    for (const Junction& each : shown.junctions) {
+      junctions.push_back({{"x_per_H", stated(each.place)},
+                           {"time", stated(each.time)}});
+    }
   }
+  out["digest"] = digest(out);
   return out;
 }
 
@@ -184,6 +224,7 @@ void compare(const Json& said, const Json& shown) {
     }
   }
   const char* slopes = "other_slopes_cost_more";
+  if (!said.at("theorems").contains(slopes)) return;
   const auto edge = [&](const Json& of, const char* key) {
     return number(of.at("theorems").at(slopes), key);
   };
@@ -218,6 +259,18 @@ void compare_friction(const Json& said, const std::vector<Friction>& found) {
   }
 }
 
+void compare_junctions(const Json& certificate,
+                       const std::vector<Junction>& found) {
+  const Json said = certificate.value("junctions", Json::array());
+  if (said.size() != found.size()) {
+    throw Refused("its junctions are not found again");
+  }
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    compare(said[i].at("x_per_H"), found[i].place, "junction");
+    compare(said[i].at("time"), found[i].time, "junction");
+  }
+}
+
 }  // namespace
 
 // FNV-1a.
@@ -242,13 +295,20 @@ Json prove(const Scene& scene, const Accuracy& accuracy) {
   if (!kind.empty()) throw NotProven("nothing is proven of " + kind + " yet");
   const Bits bits(accuracy.bits);
   try {
-    const Root root = find_root(scene, approximation(scene), accuracy);
-    return document(scene, accuracy, root,
-                    prove_theorems(scene, root, accuracy));
+    if (is_plain(scene)) {
+      const Root root = find_root(scene, approximation(scene), accuracy);
+      return document(scene, accuracy, shown_of(scene, root, accuracy));
+    }
+    const NearChain near = approximate_chain(scene);
+    const std::string why = not_of_this_kind(near.chain);
+    if (!why.empty()) throw NotProven("nothing is proven where " + why);
+    const ArcSystem system(near.chain);
+    const ArcRoot root = find_arc_root(system, near.unknowns, accuracy);
+    return document(scene, accuracy, shown_of(system, root, accuracy));
   } catch (const TooFewBits& error) {
     constexpr int kWord = 32;
     const int more = (accuracy.bits * 7 / 5 + kWord - 1) / kWord * kWord;
-    throw NotProven(
+    throw TooFewBits(
         more > kMostBits
             ? fmt::format("{}, even at {} bits", error.what(), accuracy.bits)
             : fmt::format("{}; more bits may help: --bits {}", error.what(),
@@ -268,22 +328,7 @@ Scene scene_of(const Json& certificate) {
   if (certificate.at("digest") != digest(certificate)) {
     throw Refused("it was edited: its digest is not its own");
   }
-  const Json& said = certificate.at("scene");
-  Scene scene;
-  if (said.at("shape") == "bead") {
-    scene.body = Body::bead();
-  } else {
-    scene.body = Body::cylinder(number(said, "radius"), number(said, "eta_m"),
-                                number(said, "theta_m"), number(said, "k"));
-  }
-  scene.L = number(said, "L");
-  scene.H = number(said, "H");
-  scene.contact =
-      said.at("contact") == "centre" ? Contact::Centre : Contact::Smooth;
-  if (!validate(scene).empty() || scene_json(scene) != said) {
-    throw Refused("its scene is not valid");
-  }
-  return scene;
+  return scene_from(certificate.at("scene"));
 }
 
 bool is_of(const Json& certificate, const Scene& scene) {
@@ -305,14 +350,23 @@ Json check(const Json& certificate) {
                           .terms = usual.terms + kMoreTerms,
                           .share = usual.share * kShorter};
   const Bits bits(accuracy.bits);
-  Unknowns searched, found;
-  for (std::size_t i = 0; i < kUnknowns; ++i) {
-    const Json& said = certificate.at("unknowns").at(kUnknownNames[i]);
-    searched[i] = ball(said.at("searched"));
-    found[i] = ball(said.at("found"));
+  Vector searched, found;
+  for (const auto& [name, said] : certificate.at("unknowns").items()) {
+    searched.push_back(ball(said.at("searched")));
+    found.push_back(ball(said.at("found")));
   }
-  const Root root = verify_root(scene, searched, accuracy);
-  const Theorems shown = prove_theorems(scene, root, accuracy);
+  const Shown shown = [&] {
+    if (is_plain(scene)) {
+      if (searched.size() != kUnknowns) throw Refused("its box is another's");
+      return shown_of(scene, verify_root(scene, searched, accuracy), accuracy);
+    }
+    const ArcSystem system(chain_from(scene, certificate.at("arcs")));
+    if (searched.size() != system.chain().num_unknowns()) {
+      throw Refused("its box is another's");
+    }
+    return shown_of(system, verify_arc_root(system, searched, accuracy),
+                    accuracy);
+  }();
   const std::array<std::pair<const char*, const Real*>, 5> enclosures{
       {{"tau", &shown.enclosed.tau},
        {"start_angle", &shown.enclosed.start_angle},
@@ -323,12 +377,13 @@ Json check(const Json& certificate) {
     compare(certificate.at("enclosures").at(name), *value, name);
   }
   compare_friction(certificate.at("least_friction"), shown.friction);
-  for (std::size_t i = 0; i < kUnknowns; ++i) {
-    if (arb_overlaps(root.found[i].get(), found[i].get()) == 0) {
+  compare_junctions(certificate, shown.junctions);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (arb_overlaps(shown.found[i].get(), found[i].get()) == 0) {
       throw Refused("its box is not where the root is");
     }
   }
-  Json again = document(scene, accuracy, root, shown);
+  Json again = document(scene, accuracy, shown);
   compare(certificate, again);
   return again;
 }

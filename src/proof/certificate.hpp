@@ -6,24 +6,16 @@
 
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 
+#include "proof/scene_json.hpp"
 #include "proof/theorems.hpp"
 
 namespace brachisto::proof {
 
-using Json = nlohmann::ordered_json;
-
 /// Of the file, and of the formulas that it speaks of: it grows when what the
 /// unknowns or the theorems mean changes.
-inline constexpr int kCertificateVersion = 2;
-
-/// A file that is no certificate, or none that can be believed as it stands.
-class Refused : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
+inline constexpr int kCertificateVersion = 3;
 
 /// Proves what can be proven of a scene, whose numbers of 64 bits are exact.
 /// \throws NotProven  if not even that the extremal exists

@@ -3,68 +3,17 @@
 
 #include "proof/equations.hpp"
 
+#include <algorithm>
+
 #include "brachisto/math/jet.hpp"
-#include "rolling/rolling_body.hpp"
+#include "model/contact.hpp"
 
 namespace brachisto::proof {
 
 namespace {
 
-/// Rates of the components, and what belongs to a point besides.
-template <class S>
-struct At {
-  std::array<S, kComponents> rates;
-  S legendre, normal, tangential, unfolded;
-};
-
-/// 𝓗 = L + p·f.
-template <class Jet, class S>
-Jet hamiltonian(const ocp::Rates<Jet, 4>& rates,
-                const std::array<S, kComponents>& y) {
-  Jet h = rates.cost;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const S& p = y[kPx + i];
-    h += rates.states[i].chain(rates.states[i].value * p, p);
-  }
-  return h;
-}
-
-// By rolling::Steered; y' = f, p' = −𝓗_y, and from h_β = 0 all along
-//
-//     h_ββ β' = −(h_βy · f + f_β · p').
-template <class S>
-At<S> at(const Scene& scene, const std::array<S, kComponents>& y) {
-  using Jet = math::Jet2<S, 5>;
-  constexpr std::size_t kControl = 4;
-  const rolling::Steered problem(scene, {}, 1.0);
-  const auto rates = problem.rates(ocp::as_variables<Jet>(
-      std::array<S, 5>{y[kX], y[kZ], y[kTheta], y[kW], y[kBeta]}));
-  const Jet h = hamiltonian(rates, y);
-  At<S> out;
-  S moved(0.0);
-  for (std::size_t i = 0; i < kControl; ++i) {
-    const S& f = rates.states[i].value;
-    const S p_rate = -h.gradient[i];
-    out.rates[kX + i] = f;
-    out.rates[kPx + i] = p_rate;
-    moved += h.hessian[Jet::pair(kControl, static_cast<int>(i))] * f +
-             rates.states[i].gradient[kControl] * p_rate;
-  }
-  out.legendre = h.hessian[Jet::pair(kControl, kControl)];
-  out.rates[kBeta] = -moved / out.legendre;
-  out.rates[kTime] = rates.cost.value;
-  out.rates[kLength] = y[kW];
-  out.unfolded = y[kW] - out.rates[kBeta];
-  const ContactForce<S> force =
-      contact_force(scene, TurningPoint<S>{y[kX], y[kZ], y[kTheta], y[kW],
-                                           y[kBeta], out.rates[kBeta]});
-  out.normal = force.normal;
-  out.tangential = force.tangential;
-  return out;
-}
-
 template <int Directions>
-void write(const Scene& scene, Equations& out) {
+void write(const Scene& scene, const Held& held, Equations& out) {
   using S = math::Jet1<Node, Directions>;
   std::array<S, kComponents> y;
   for (std::size_t i = 0; i < kComponents; ++i) {
@@ -74,7 +23,7 @@ void write(const Scene& scene, Equations& out) {
           out.tape.input(static_cast<int>(Equations::place(i, j)));
     }
   }
-  const At<S> here = at(scene, y);
+  const At<S> here = at(scene, held, y);
   for (const S& rate : here.rates) out.rates.push_back(rate.value);
   for (std::size_t j = 0; j < Directions; ++j) {
     for (const S& rate : here.rates) out.rates.push_back(rate.gradient[j]);
@@ -83,7 +32,8 @@ void write(const Scene& scene, Equations& out) {
 
 }  // namespace
 
-Equations::Equations(const Scene& scene, int along) : directions(along) {
+Equations::Equations(const Scene& scene, int along, const Held& held)
+    : directions(along) {
   const Tape::Recording recording(tape);
   const Scene own = in_own_units(scene);
   if (along == 0) {
@@ -91,16 +41,27 @@ Equations::Equations(const Scene& scene, int along) : directions(along) {
     for (std::size_t i = 0; i < kComponents; ++i) {
       y[i] = tape.input(static_cast<int>(i));
     }
-    const At<Node> here = at(own, y);
+    const At<Node> here = at(own, held, y);
     rates.assign(here.rates.begin(), here.rates.end());
     legendre = here.legendre;
-    normal = here.normal;
-    tangential = here.tangential;
-    unfolded = here.unfolded;
-  } else if (along == 2) {
-    write<2>(own, *this);
+    multiplier = here.multiplier;
+    const ContactForce<Node> force = contact_force(own, here.place);
+    normal = force.normal;
+    tangential = force.tangential;
+    unfolded = own.body.rolls() ? y[kW] - here.place.q * Node(own.body.radius)
+                                : Node(1.0);
+    height = height_of_mass(own, y[kX], y[kZ], y[kTheta]);
+    for (const PathInequality& each : inequalities(own.body, own.limits)) {
+      limits.push_back(value_of(each, force, here.place));
+    }
   } else {
-    write<3>(own, *this);
+    constexpr std::array kWrite{&write<2>, &write<3>, &write<7>, &write<8>,
+                                &write<10>};
+    constexpr std::array kDirections{2, 3, 7, 8, 10};
+    const auto found = std::ranges::find(kDirections, along);
+    if (found == kDirections.end()) throw std::logic_error("directions");
+    kWrite[static_cast<std::size_t>(found - kDirections.begin())](own, held,
+                                                                   *this);
   }
 }
 
@@ -111,10 +72,10 @@ SlopeFunction::SlopeFunction(const Scene& scene) {
   for (std::size_t i = 0; i <= kBeta; ++i) {
     y[i] = tape.input(static_cast<int>(i));
   }
-  const rolling::Steered problem(in_own_units(scene), {}, 1.0);
   const Jet h = hamiltonian(
-      problem.rates(std::array{Jet(y[kX]), Jet(y[kZ]), Jet(y[kTheta]),
-                               Jet(y[kW]), Jet::variable(y[kBeta], 0)}),
+      rates_of(in_own_units(scene),
+               std::array{Jet(y[kX]), Jet(y[kZ]), Jet(y[kTheta]), Jet(y[kW]),
+                          Jet::variable(y[kBeta], 0)}),
       y);
   value = h.value;
   bend = h.hessian[0];
@@ -127,8 +88,23 @@ std::array<Real, 2> SlopeFunction::operator()(
           at[static_cast<std::size_t>(bend.id)]};
 }
 
+bool is_plain(const Scene& scene) {
+  return scene.world.ordinary() && !scene.limits.any() &&
+         (scene.contact == Contact::Smooth ||
+          scene.contact == Contact::Centre);
+}
+
 Scene in_own_units(const Scene& scene) {
   Scene own;
+  if (!is_plain(scene)) {
+    own = scene;
+    if (has_surface(scene.world)) {
+      own.world.side = side_of_surface(
+          scene, mass_centre(scene.body, start_of_centre(scene),
+                             scene.body.theta_m));
+    }
+    return own;
+  }
   own.body = scene.body;
   own.body.radius = scene.body.rolls() ? 1.0 : 0.0;
   own.gravity = 0.5;

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// Hamilton's equations of a free scene as a tape, from the one text of its
-/// rates.
+/// Hamilton's equations on one arc as a tape.
 
 #pragma once
 
@@ -11,32 +10,16 @@
 #include <vector>
 
 #include "brachisto/model/scene.hpp"
+#include "proof/hamilton.hpp"
 #include "proof/tape.hpp"
 
 namespace brachisto::proof {
 
-/// Order of what is integrated. Nothing depends on x, z, t or s.
-enum Component : std::size_t {
-  kX,
-  kZ,
-  kTheta,
-  kW,
-  kPx,
-  kPz,
-  kPtheta,
-  kPw,
-  kBeta,
-  kTime,
-  kLength,
-  kComponents
-};
-
-/// Everything in units of r (a bead: of metres) and with 2 g = 1, which makes
-/// dθ/ds = 1 and leaves η, k and θ_m, numbers of 64 bits, as they are.
+/// In the units of in_own_units().
 struct Equations {
   /// \param directions  in how many directions of the start derivatives are
-  ///                    carried along; 0, 2 or 3
-  Equations(const Scene& scene, int directions);
+  ///                    carried along; 0, 2, 3, 7, 8 or 10
+  Equations(const Scene& scene, int directions, const Held& held = {});
   Equations(const Equations&) = delete;
   Equations& operator=(const Equations&) = delete;
 
@@ -46,9 +29,12 @@ struct Equations {
   /// direction.
   std::vector<Node> rates;
   /// Without directions alone: h_ββ, R_n per m g, and w − r β', which is
-  /// w (1 − r κ_c).
+  /// w (1 − r κ_c), of a bead 1.
   Node legendre = Node::none(), normal = Node::none(), unfolded = Node::none();
   Node tangential = Node::none();  ///< R_t per m g
+  Node multiplier = Node::none();  ///< of the limit that holds
+  Node height = Node::none();      ///< above the surface of the field
+  std::vector<Node> limits;        ///< values of all
 
   [[nodiscard]] std::size_t size() const { return rates.size(); }
   /// Where a derivative stands.
@@ -73,7 +59,15 @@ struct SlopeFunction {
   Node value = Node::none(), bend = Node::none();
 };
 
-/// The scene in these units, without what they do not need.
+/// Whether its world, its limits and its contacts are those of the paper, for
+/// which there are units of their own.
+[[nodiscard]] bool is_plain(const Scene& scene);
+
+/// Of a plain scene everything is in units of r (of a bead: of metres) and with
+/// 2 g = 1, which makes dθ/ds = 1 and leaves η, k and θ_m, numbers of 64 bits,
+/// as they are; what these do not need is left out. Other scenes have fields
+/// and limits with lengths of their own, which stay what they are: SI. The field
+/// has the law of the side of its surface on which the path starts.
 [[nodiscard]] Scene in_own_units(const Scene& scene);
 
 /// √A, or its square, at a slope.

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "brachisto/math/clock.hpp"
+
 namespace brachisto::proof {
 
 namespace {
@@ -65,12 +67,16 @@ State Step::values(const Real& u, std::size_t count) const {
   return out;
 }
 
-Flow::Flow(const Scene& scene, int directions, const Accuracy& accuracy)
+Integration::Integration(const Tape& tape, const std::vector<Node>& rates,
+                         const Accuracy& accuracy)
     : accuracy_(accuracy),
-      equations_(scene, directions),
-      plain_(scene, 0),
-      series_(equations_.tape, equations_.rates, accuracy.terms),
+      series_(tape, rates, accuracy.terms),
       tails_(series_) {}
+
+Flow::Flow(const Scene& scene, int directions, const Accuracy& accuracy)
+    : equations_(scene, directions),
+      plain_(scene, 0),
+      integration_(equations_.tape, equations_.rates, accuracy) {}
 
 State Flow::rates(const State& state) const {
   const State components(state.begin(), state.begin() + kComponents);
@@ -82,8 +88,8 @@ State Flow::rates(const State& state) const {
   return out;
 }
 
-int Flow::go(State& state, const Real& length, bool backward,
-             const std::function<void(const Step&)>& look) {
+int Integration::go(State& state, const Real& length, bool backward,
+                    const std::function<void(const Step&)>& look) {
   const Bits bits(accuracy_.bits);
   constexpr double kGrid = 1048576.0;  // steps are multiples of its inverse
   constexpr double kGrow = 1.15, kShrink = 0.85, kFirst = 1.0;
@@ -94,6 +100,7 @@ int Flow::go(State& state, const Real& length, bool backward,
     for (const Real& number : state) {
       if (!number.finite()) throw TooFewBits("the state has no bound");
     }
+    check_stop();
     series_.expand(state);
     tails_.take(rho);
     while (!tails_.bound(rho)) {

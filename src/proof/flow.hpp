@@ -57,9 +57,11 @@ class Step {
   double rho_;
 };
 
-class Flow {
+/// Of y' = f(y), f being nodes of a tape whose inputs are y.
+class Integration {
  public:
-  Flow(const Scene& scene, int directions, const Accuracy& accuracy);
+  Integration(const Tape& tape, const std::vector<Node>& rates,
+              const Accuracy& accuracy);
 
   /// Goes from a state over a length ≥ 0 of u.
   ///
@@ -71,15 +73,30 @@ class Flow {
   int go(State& state, const Real& length, bool backward = false,
          const std::function<void(const Step&)>& look = {});
 
+ private:
+  Accuracy accuracy_;
+  TaylorSeries series_;
+  Tails tails_;
+};
+
+/// Of Hamilton's equations on a free arc.
+class Flow {
+ public:
+  Flow(const Scene& scene, int directions, const Accuracy& accuracy);
+
+  /// See Integration.
+  int go(State& state, const Real& length, bool backward = false,
+         const std::function<void(const Step&)>& look = {}) {
+    return integration_.go(state, length, backward, look);
+  }
+
   [[nodiscard]] const Equations& equations() const { return equations_; }
   /// Rates of the components at a state.
   [[nodiscard]] State rates(const State& state) const;
 
  private:
-  Accuracy accuracy_;
   Equations equations_, plain_;
-  TaylorSeries series_;
-  Tails tails_;
+  Integration integration_;
 };
 
 }  // namespace brachisto::proof

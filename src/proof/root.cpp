@@ -3,9 +3,6 @@
 
 #include "proof/root.hpp"
 
-#include <arb_mat.h>
-
-#include <algorithm>
 #include <cmath>
 
 #include "extremal/shooting.hpp"
@@ -15,8 +12,6 @@
 namespace brachisto::proof {
 
 namespace {
-
-using Matrix = std::array<Unknowns, kUnknowns>;
 
 Real inertia(const Scene& scene, const Real& theta, const Real& beta) {
   const Real root = inertia_root(scene, theta, beta);
@@ -60,42 +55,6 @@ Real enclosed_start_angle(const Scene& scene) {
   return box;
 }
 
-Matrix inverse_of_middle(const Matrix& of) {
-  const auto size = static_cast<slong>(kUnknowns);
-  arb_mat_t a, b;
-  arb_mat_init(a, size, size);
-  arb_mat_init(b, size, size);
-  for (slong i = 0; i < size; ++i) {
-    for (slong j = 0; j < size; ++j) {
-      const Real& entry =
-          of[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
-      arb_set(arb_mat_entry(a, i, j), entry.middle().get());
-    }
-  }
-  const bool regular = arb_mat_inv(b, a, working_bits) != 0;
-  Matrix out;
-  for (slong i = 0; regular && i < size; ++i) {
-    for (slong j = 0; j < size; ++j) {
-      Real& entry =
-          out[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
-      arb_set(entry.get(), arb_mat_entry(b, i, j));
-      entry = entry.middle();
-    }
-  }
-  arb_mat_clear(a);
-  arb_mat_clear(b);
-  if (!regular) throw NotProven("the equations of the ends are singular");
-  return out;
-}
-
-Unknowns product(const Matrix& a, const Unknowns& v) {
-  Unknowns out;
-  for (std::size_t i = 0; i < kUnknowns; ++i) {
-    for (std::size_t j = 0; j < kUnknowns; ++j) out[i] += a[i][j] * v[j];
-  }
-  return out;
-}
-
 /// F and F' at a point or over a box.
 struct Shot {
   State end, rates;
@@ -125,40 +84,15 @@ Matrix rough_inverse(const Scene& scene, const Ends& ends, const Unknowns& at) {
   return inverse_of_middle(shoot(scene, ends, at, kRough, true).slopes);
 }
 
-double largest(const Unknowns& of) {
-  double out = 0.0;
-  for (const Real& number : of) out = std::max(out, number.abs().upper());
-  return out;
-}
-
 Root krawczyk(const Scene& scene, const Unknowns& box, const Matrix& inverse,
               const Accuracy& accuracy) {
   const Ends ends(scene);
-  Unknowns middle, away;
-  for (std::size_t i = 0; i < kUnknowns; ++i) {
-    middle[i] = box[i].middle();
-    away[i] = box[i] - middle[i];
-  }
+  Unknowns middle;
+  for (const Real& each : box) middle.push_back(each.middle());
   const Shot centre = shoot(scene, ends, middle, accuracy, false);
   const Shot over = shoot(scene, ends, box, accuracy, true);
-  const Unknowns step = product(inverse, centre.missed);
-  Root out{box, {}, centre.end, over.steps};
-  for (std::size_t i = 0; i < kUnknowns; ++i) {
-    Real rest;
-    for (std::size_t k = 0; k < kUnknowns; ++k) {
-      Real contracts(i == k ? 1.0 : 0.0);
-      for (std::size_t j = 0; j < kUnknowns; ++j) {
-        contracts = contracts - inverse[i][j] * over.slopes[j][k];
-      }
-      rest += contracts * away[k];
-    }
-    out.found[i] = middle[i] - step[i] + rest;
-    if (!out.found[i].finite() || !out.found[i].inside(box[i])) {
-      throw TooFewBits(
-          "Krawczyk's operator does not map the box into itself: it holds no "
-          "root, or the precision is too low");
-    }
-  }
+  Root out{box, krawczyk_image(box, inverse, centre.missed, over.slopes),
+           centre.end, over.steps};
   // y(m) + y'(X) (x − m) for every x of the part found.
   for (std::size_t j = 0; j < kUnknowns; ++j) {
     const Real off = out.found[j] - middle[j];
@@ -174,12 +108,10 @@ Root krawczyk(const Scene& scene, const Unknowns& box, const Matrix& inverse,
 }  // namespace
 
 std::string not_of_this_kind(const Scene& scene) {
-  if (!scene.world.ordinary()) return "fields, air, losses and pushes";
-  if (scene.limits.any()) return "limits";
-  if (scene.path) return "given paths";
-  if (scene.contact != Contact::Smooth && scene.contact != Contact::Centre) {
-    return "open or given slopes at the ends";
+  if (scene.world.losses.any()) {
+    return "losses in proportion to the load, whose formulas have exponentials";
   }
+  if (scene.path) return "given paths";
   if (scene.body.ball) return "balls";
   return "";
 }
@@ -226,11 +158,10 @@ Unknowns Ends::missed(const State& end) const {
           end[kPtheta], end[kPw]};
 }
 
-std::array<Unknowns, kUnknowns> Ends::slopes(const State& end,
-                                             const State& rates) const {
+Matrix Ends::slopes(const State& end, const State& rates) const {
   const Real r(radius_);
   const Real c = r * cos(end[kBeta]), s = r * sin(end[kBeta]);
-  std::array<Unknowns, kUnknowns> out;
+  Matrix out(kUnknowns, Vector(kUnknowns));
   for (std::size_t j = 0; j < kUnknowns; ++j) {
     const auto by = [&](std::size_t component) {
       return j + 1 < kUnknowns ? end[Equations::place(component, j)]
@@ -257,54 +188,31 @@ Unknowns approximation(const Scene& scene) {
 
 Root find_root(const Scene& scene, const Unknowns& near,
                const Accuracy& accuracy) {
-  constexpr int kMostSteps = 12;
   const Bits bits(accuracy.bits);
   const Ends ends(scene);
   Unknowns at = near;
-  // Where Newton's method has the digits of half the bits it has enough.
-  const double enough = std::ldexp(1.0, -accuracy.bits / 2);
   const Matrix inverse = rough_inverse(scene, ends, at);
   Accuracy nearly = accuracy;
   nearly.near = true;
-  double step = 1.0;
-  for (int i = 0; i < kMostSteps && step > enough; ++i) {
-    const Unknowns by =
-        product(inverse, shoot(scene, ends, at, nearly, false).missed);
-    step = largest(by);
-    if (!(step < 1.0)) throw NotProven("Newton's method does not converge");
-    for (std::size_t k = 0; k < kUnknowns; ++k) {
-      at[k] = (at[k] - by[k]).middle();
-    }
-  }
-  if (!(step <= enough)) {
-    throw TooFewBits("Newton's method stops short of the precision");
-  }
-  const auto box_about = [&](double radius) {
-    Unknowns box;
-    for (std::size_t k = 0; k < kUnknowns; ++k) {
-      box[k] = at[k].widened(Real(radius));
-    }
-    return box;
-  };
-  const double usual = std::ldexp(1.0, -(2 * accuracy.bits) / 5);
-  try {
-    return krawczyk(scene, box_about(usual), inverse, accuracy);
-  } catch (const NotProven&) {
-    // Where wrapping is bad a box is wanted that is not much wider than what
-    // one integration leaves open.
-    constexpr double kTimes = 1024.0;
-    const double open = largest(
-        product(inverse, shoot(scene, ends, at, accuracy, false).missed));
-    if (!(kTimes * open < usual)) throw;
-    return krawczyk(scene, box_about(kTimes * open), inverse, accuracy);
-  }
+  converge(at, inverse, accuracy.bits, [&](const Unknowns& there) {
+    return shoot(scene, ends, there, nearly, false).missed;
+  });
+  return in_a_box(
+      at, accuracy.bits,
+      [&] {
+        return product(inverse,
+                       shoot(scene, ends, at, accuracy, false).missed);
+      },
+      [&](const Unknowns& box) {
+        return krawczyk(scene, box, inverse, accuracy);
+      });
 }
 
 Root verify_root(const Scene& scene, const Unknowns& box,
                  const Accuracy& accuracy) {
   const Bits bits(accuracy.bits);
   Unknowns middle;
-  for (std::size_t k = 0; k < kUnknowns; ++k) middle[k] = box[k].middle();
+  for (const Real& each : box) middle.push_back(each.middle());
   const Ends ends(scene);
   const Matrix inverse = rough_inverse(scene, ends, middle);
   return krawczyk(scene, box, inverse, accuracy);

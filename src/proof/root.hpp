@@ -7,16 +7,16 @@
 
 #pragma once
 
-#include <array>
 #include <string>
 
 #include "proof/flow.hpp"
+#include "proof/linear.hpp"
 
 namespace brachisto::proof {
 
 /// p_x, p_z, p_θ(0) and U, in the units of Equations.
 inline constexpr std::size_t kUnknowns = 4;
-using Unknowns = std::array<Real, kUnknowns>;
+using Unknowns = Vector;
 
 /// Why nothing is proven of a scene at all; "" if it may be tried.
 [[nodiscard]] std::string not_of_this_kind(const Scene& scene);
@@ -35,8 +35,7 @@ class Ends {
   [[nodiscard]] Unknowns missed(const State& end) const;
   /// Their derivatives by the unknowns.
   /// \param rates  of the components at the end
-  [[nodiscard]] std::array<Unknowns, kUnknowns> slopes(
-      const State& end, const State& rates) const;
+  [[nodiscard]] Matrix slopes(const State& end, const State& rates) const;
   /// x of the centre there.
   [[nodiscard]] Real start_place() const { return Real(radius_) * sin(beta_); }
   /// A length in these units: r, or of a bead metres.

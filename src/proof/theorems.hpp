@@ -50,6 +50,20 @@ struct Friction {
   Real place;  ///< x/H of the centre there
 };
 
+/// An extremal of one free arc, in the units of in_own_units().
+struct FreeExtremal {
+  State start;  ///< components
+  State end;
+  Real length;  ///< U
+  Enclosures enclosed;
+  Real per_H;          ///< the unit of length over H
+  Real start_place;    ///< x of the centre at A, if that is not in `start`
+  bool rests = true;   ///< at A
+};
+
+/// \param root  of a plain scene
+[[nodiscard]] FreeExtremal as_free(const Scene& scene, const Root& root);
+
 /// All that is shown.
 struct Theorems {
   Enclosures enclosed;
@@ -71,9 +85,10 @@ struct Theorems {
   }
 };
 
-/// \param root  the extremal, of which that it exists is shown
+/// \param extremal  of which that it exists is shown
 /// \throws NotProven  if its motion cannot be enclosed
-[[nodiscard]] Theorems prove_theorems(const Scene& scene, const Root& root,
+[[nodiscard]] Theorems prove_theorems(const Scene& scene,
+                                      const FreeExtremal& extremal,
                                       const Accuracy& accuracy);
 
 /// Whether no point of the extremal but its end is conjugate to that.
@@ -82,7 +97,9 @@ struct Theorems {
 /// follows from the energy, all extremals that end in (x_B, z_B) with any θ,
 /// p_θ = p_w = 0 and 𝓗 = 0 are a family of two parameters, θ and β at the end.
 /// The determinant of its derivatives by both and by u vanishes at the end, and
-/// is shown to vanish nowhere else, the start included.
+/// is shown to vanish nowhere else, the start included. In other worlds, where
+/// fields depend on the place and drag takes energy, the coordinates are
+/// (x, z, θ, w) and w at the end is a third parameter.
 ///
 /// \param end  the state at the end, enclosed; of its costates nothing is used
 [[nodiscard]] Theorem no_conjugate_point(const Scene& scene, const State& end,

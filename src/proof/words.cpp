@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <functional>
 #include <utility>
 
 #include "proof/certificate.hpp"
@@ -14,8 +15,10 @@ namespace brachisto::proof {
 
 namespace {
 
-constexpr std::array<std::pair<const char*, const char*>, 5> kStatements{
-    {{"strict_minimum",
+constexpr std::array<std::pair<const char*, const char*>, 7> kStatements{
+    {{"keeps_limits", "the path keeps all limits, strictly where none holds"},
+     {"multipliers", "multipliers have the sign of Pontryagin's principle"},
+     {"strict_minimum",
       "T is a strict weak local minimum between its fixed ends"},
      {"strong_minimum", "the same among paths of any slopes that stay near"},
      {"normal_force_positive", "R_n > 0 after the start"},
@@ -38,9 +41,40 @@ std::string decimals(const Json& exact) {
   return out;
 }
 
+/// "free, floor, free"; empty of a single arc.
+std::string arcs_of(const Json& certificate) {
+  std::string out;
+  for (const Json& arc : certificate.value("arcs", Json::array())) {
+    out += (out.empty() ? "" : ", ") + arc.value("holds", "free");
+  }
+  return out.find(',') == std::string::npos ? "" : out;
+}
+
 std::string ends_of(const Json& enclosure) {
   return fmt::format("[{}, {}]", enclosure.at("lower").get<std::string>(),
                      enclosure.at("upper").get<std::string>());
+}
+
+/// Rows of a table: all numbers of a map in it, under their keys.
+std::string of_world_and_limits(const Json& scene) {
+  std::string out;
+  const std::function<void(const std::string&, const Json&)> add =
+      [&](const std::string& key, const Json& value) {
+        if (value.is_structured()) {
+          for (const auto& [name, each] : value.items()) {
+            add(key.empty() ? name : key + "." + name, each);
+          }
+        } else {
+          const std::string text = value.get<std::string>();
+          const bool number = text.find("0x") != std::string::npos;
+          out += fmt::format("| {} | {} | {} |\n", key, text,
+                             number ? fmt::format("{}", std::stod(text)) : "");
+        }
+      };
+  add("", scene.at("world"));
+  add("limits", scene.at("limits"));
+  if (scene.contains("end_slope")) add("end_slope", scene.at("end_slope"));
+  return out;
 }
 
 }  // namespace
@@ -57,7 +91,15 @@ std::string in_words(const Json& certificate) {
   out += between("tau", "τ");
   out += between("end_angle", "φ");
   out += between("length_per_H", "S/H");
+  if (const std::string arcs = arcs_of(certificate); !arcs.empty()) {
+    out += fmt::format("  arcs: {}\n", arcs);
+  }
+  for (const Json& each : certificate.value("junctions", Json::array())) {
+    out += fmt::format("  a junction at x/H in {}\n",
+                       ends_of(each.at("x_per_H")));
+  }
   for (const auto& [name, words] : kStatements) {
+    if (!t.contains(name)) continue;
     out += fmt::format("  {}: {}\n", verdict(t.at(name)), words);
   }
   for (const Json& each : certificate.at("least_friction")) {
@@ -83,26 +125,37 @@ std::string page(const Json& certificate) {
     return fmt::format("| {} | {} | {} |\n", key, exact, std::stod(exact));
   };
   const bool bead = scene.at("shape") == "bead";
+  const bool plain = !scene.contains("world");
   std::string out = fmt::format(
-      "# Theorem\n\nA {} goes from rest at A to B, L to the side and H below, "
-      "in a uniform field, without losses; `contact: {}`. Its numbers are "
-      "these, exactly:\n\n| | exact | about |\n| --- | --- | --- |\n",
-      bead ? "bead" : "cylinder", scene.at("contact").get<std::string>());
+      "# Theorem\n\nA {} goes {}to B, L to the side and H below, {}; "
+      "`contact: {}`. Its numbers are these, exactly:\n\n"
+      "| | exact | about |\n| --- | --- | --- |\n",
+      bead ? "bead" : "cylinder", plain ? "from rest at A " : "from A ",
+      plain ? "in a uniform field, without losses" : "in SI units",
+      scene.at("contact").get<std::string>());
   for (const char* key : {"radius", "eta_m", "theta_m", "k"}) {
     if (!bead) out += number(key);
   }
   out += number("L") + number("H");
-  out +=
-      "\nIn units of r (of a bead: of metres) and with 2 g = 1, let θ(0) = "
-      "θ_m, "
-      "w(0) = 0, β(0) = β₀ the start angle and p_w(0) as 𝓗 = 0 asks. Of all "
-      "(p_x, p_z, p_θ(0), U) in the box (exactly in proof.json)\n\n";
+  if (!plain) out += number("gravity") + of_world_and_limits(scene);
+  const std::string arcs = arcs_of(certificate);
+  out += plain ? "\nIn units of r (of a bead: of metres) and with 2 g = 1, let "
+                 "θ(0) = θ_m, w(0) = 0, β(0) = β₀ the start angle and p_w(0) as "
+                 "𝓗 = 0 asks. Of all (p_x, p_z, p_θ(0), U) in the box (exactly "
+                 "in proof.json)\n\n"
+               : fmt::format(
+                     "\n{}Of all states and costates at the starts of the arcs "
+                     "and lengths U of the arcs in the box (exactly in "
+                     "proof.json)\n\n",
+                     arcs.empty() ? ""
+                                  : fmt::format("The arcs are: {}. ", arcs));
   for (const auto& [name, box] : certificate.at("unknowns").items()) {
     out += fmt::format("    {} = {}\n", name, decimals(box.at("searched")));
   }
-  out +=
-      "\nexactly one solution of Hamilton's equations ends in B with p_θ = p_w "
-      "= 0. Of it\n\n";
+  out += plain ? "\nexactly one solution of Hamilton's equations ends in B with "
+                 "p_θ = p_w = 0. Of it\n\n"
+               : "\nexactly one satisfies the conditions at A, at B and where "
+                 "arcs meet (docs/proofs.md lists them). Of it\n\n";
   for (const auto& [name, enclosure] : certificate.at("enclosures").items()) {
     out += fmt::format("    {} in {}\n", name, ends_of(enclosure));
   }
@@ -111,6 +164,10 @@ std::string page(const Json& certificate) {
         "    max |R_t|/R_n from {:g} % of T on in {}, at x/H in {}\n",
         100.0 * each.at("share_of_time").get<double>(), ends_of(each.at("mu")),
         ends_of(each.at("x_per_H")));
+  }
+  for (const Json& each : certificate.value("junctions", Json::array())) {
+    out += fmt::format("    a junction at x/H in {}, t √(2 g/H) in {}\n",
+                       ends_of(each.at("x_per_H")), ends_of(each.at("time")));
   }
   out += "\nand each of these by itself:\n\n";
   for (const auto& [name, said] : certificate.at("theorems").items()) {

@@ -146,6 +146,14 @@ void add_warnings(Solution& solution, const io::ProblemFile& problem) {
 }
 
 Answered solve_problem(const io::ProblemFile& problem, const Answered* near) {
+  const auto* program = problem.options.of<Collocation>();
+  if (program != nullptr && program->certify == Certify::Proof) {
+    throw io::InputError(
+        {{.file = kKeywords,
+          .key = "solver.certify",
+          .message = "the package proves nothing; take the command, "
+                     "`brachisto solve` or `brachisto prove`"}});
+  }
   const auto neighbour = near != nullptr && near->solution.verified()
                              ? near->solution.as_neighbour()
                              : nullptr;

@@ -35,6 +35,43 @@ Field<Solution> branches_field() {
        {"remarks", "", "checks that failed, why infeasible", &B::remarks}});
 }
 
+/// Left out unless it was asked for.
+Field<Solution> proof_field() {
+  using P = Proof;
+  using Of = P::Statement;
+  const auto if_proven = [](auto P::*member) {
+    return [=](const P& p) {
+      return only_if(p.not_proven_because.empty(), p.*member);
+    };
+  };
+  Field<Solution> field = object<Solution>(
+      "proof", "", "enclosures, if certify: proof was asked for",
+      &Solution::proof,
+      {{"proven", "", "the extremal exists, once in the box of its certificate",
+        [](const P& p) { return p.not_proven_because.empty(); }},
+       {"message", "", "why not",
+        [](const P& p) {
+          return only_if(!p.not_proven_because.empty(), p.not_proven_because);
+        },
+        true},
+       {"tau_lower", "", "τ is no less", if_proven(&P::tau_lower), true},
+       {"tau_upper", "", "and no more", if_proven(&P::tau_upper), true},
+       {"off_at_most", "", "the result's τ is no further from the extremal's",
+        if_proven(&P::off_at_most), true},
+       {"within_estimate", "", "nor further than its estimated error",
+        if_proven(&P::within_estimate), true},
+       list("theorems", "each by itself", &P::statements,
+            {{"name", "", "as in proof.json", &Of::name},
+             {"holds", "", "it is proven", &Of::holds},
+             {"why_not", "", "why not",
+              [](const Of& s) { return only_if(!s.why_not.empty(), s.why_not); },
+              true}}),
+       {"bits", "", "of its precision", if_proven(&P::bits), true},
+       {"cpu_seconds", "s", "processor time", &P::cpu_seconds}});
+  field.may_lack = true;
+  return field;
+}
+
 /// Not under the answer's keys: these are numbers of another problem.
 Field<Solution> discrete_field() {
   using A = DiscreteAnswer;
@@ -154,7 +191,7 @@ Fields<Solution> search_fields() {
            {"of_junctions", "",
             "and of the places where arcs meet, as shares of U",
             &E::of_junctions, true}}),
-      discrete_field()};
+      proof_field(), discrete_field()};
 }
 
 Field<Solution> seconds_field() {

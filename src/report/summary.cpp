@@ -279,6 +279,23 @@ void add_cross_check(std::string& out, const Solution& solution) {
           : "none: " + check.message);
 }
 
+void add_proof(std::string& out, const Solution& solution) {
+  if (!solution.proof) return;
+  const Proof& proof = *solution.proof;
+  if (!proof.not_proven_because.empty()) {
+    return add_line(out, "proof", "none: " + proof.not_proven_because);
+  }
+  add_line(out, "proof",
+           fmt::format("one extremal with τ in [{}, {}]; the τ above is off by "
+                       "at most {:.0e}, {} its estimated error",
+                       proof.tau_lower, proof.tau_upper, proof.off_at_most,
+                       proof.within_estimate ? "within" : "more than"));
+  for (const Proof::Statement& each : proof.statements) {
+    if (each.why_not.empty()) continue;
+    add_line(out, "not proven", each.name + ": " + each.why_not);
+  }
+}
+
 /// Not under the answer's label: it is the answer to another problem.
 void add_discrete_system(std::string& out, const Solution& solution) {
   if (!solution.discrete()) return;
@@ -403,7 +420,7 @@ std::string next(const Solution& solution, bool designed) {
     return "a finer mesh, which decides whether the track is feasible";
   }
   return solution.options.of<Shooting>() != nullptr || solution.extremal ||
-                 limited
+                 solution.proof || limited
              ? ""
              : "--certify extremal checks it by another method";
 }
@@ -420,6 +437,7 @@ std::string summary(const Solution& solution, const DesignAnswer* design) {
   }
   add_verdict(out, solution, design);
   add_cross_check(out, solution);
+  add_proof(out, solution);
   add_discrete_system(out, solution);
   add_branches(out, solution);
   if (design != nullptr) add_design(out, *design);

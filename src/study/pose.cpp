@@ -94,7 +94,7 @@ void check_method(const Collocation& program, Checker& check) {
   check.known("linear_solver", program.linear_solver, LinearSolver::Mumps);
   check.within("threads", program.threads, 1, kMostThreads);
   check.known("search", program.search, Search::Global);
-  check.known("certify", program.certify, Certify::Extremal);
+  check.known("certify", program.certify, Certify::Proof);
   check.known("sensitivities", program.sensitivities, SensitivityOrder::Second);
   check.known("guess", program.guess, Guess::Random);
   check.within("tolerance", program.tolerance, kSmallestResidual,

@@ -17,8 +17,7 @@ namespace {
 using namespace proof;
 using brachisto::testing::bead;
 using brachisto::testing::cylinder;
-
-constexpr int kBits = 128;
+using brachisto::testing::kBits;
 
 /// η = 1/3, θ_m = −30°: its start angle is no number of 64 bits.
 const Scene& tilted() {

@@ -10,6 +10,9 @@
 
 namespace brachisto::testing {
 
+/// Enough for these scenes.
+inline constexpr int kBits = 128;
+
 inline Scene bead() {
   Scene scene;
   scene.body = Body::bead();

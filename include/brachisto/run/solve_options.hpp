@@ -127,6 +127,9 @@ enum class Guess {
 enum class Certify {
   None,
   Extremal,  ///< Pontryagin's conditions solved by multiple shooting
+  /// Enclosures of the extremal, which the command adds to a verified answer;
+  /// solve() itself proves nothing.
+  Proof,
 };
 
 /// Which derivatives of the time by the scene are wanted.

@@ -51,6 +51,22 @@ struct LimitOnPath {
   std::optional<double> price_at_fixed_contacts;
 };
 
+/// What enclosures say of an answer; see docs/proofs.md.
+struct Proof {
+  struct Statement {
+    std::string name;  ///< as in a certificate, "strict_minimum"
+    bool holds = false;
+    std::string why_not;  ///< empty if it holds, or follows from others
+  };
+  std::string not_proven_because;  ///< empty: the extremal exists
+  std::string tau_lower, tau_upper;  ///< decimal, rounded outward
+  double off_at_most = 0.0;  ///< how far the answer's τ is from the extremal's
+  bool within_estimate = false;  ///< no more than its estimated error
+  std::vector<Statement> statements;
+  int bits = 0;
+  double cpu_seconds = 0.0;
+};
+
 struct Solution;
 
 /// The numbers of a scene that its time is differentiated by, as problem files
@@ -193,6 +209,7 @@ struct Solution {
   std::optional<double> estimated_error;       ///< relative, of T
   Certificate certificate;
   std::optional<CrossCheck> extremal;
+  std::optional<Proof> proof;       ///< of Certify::Proof, by the command
   std::vector<LimitOnPath> limits;  ///< one for each bound of the scene
   /// Where limits were not reached, verified: the answer under those that ask
   /// for less, tightened as far as a path was found. Null otherwise.

@@ -14,6 +14,7 @@
 #include "brachisto/math/index.hpp"
 #include "nlp/active_set.hpp"
 #include "posed/guess.hpp"
+#include "posed/mistakes.hpp"
 #include "solvers/inertia.hpp"
 
 namespace brachisto::ocp {
@@ -69,6 +70,10 @@ class Certifier {
       }
       const PathValues end = path_.values(e, 1.0);
       for (std::size_t s = 0; s < states_; ++s) {
+        if (!std::isfinite(y[s])) {
+          worst.see(std::nan(""), broken(e), duration * mesh.boundaries[at(e)]);
+          return worst;
+        }
         worst.see(std::abs(y[s] - end.states[s]) /
                       std::max(1.0, std::abs(end.states[s])),
                   name(s), duration * mesh.boundaries[at(e + 1)]);
@@ -140,18 +145,34 @@ class Certifier {
   }
 
   [[nodiscard]] std::string jump() const {
-    std::string found;
-    each_element([&](int e) {
-      constexpr int kParts = 16;
-      for (int i = 0; i < kParts && found.empty(); ++i) {
-        double a = static_cast<double>(i) / kParts, b = a + 1.0 / kParts;
-        found = jump_between(e, a, b);
+    constexpr int kCells = 200;
+    for (int i = 0; i < kCells; ++i) {
+      // Where controls jump they are left as they are: states alone move.
+      for (const bool own_controls : {true, false}) {
+        const std::string found =
+            jump_between(static_cast<double>(i) / kCells,
+                         static_cast<double>(i + 1) / kCells, own_controls);
+        if (!found.empty()) return found;
       }
-    });
-    return found;
+    }
+    return {};
   }
 
  private:
+  /// Which formula is not finite on an element.
+  [[nodiscard]] std::string broken(int element) const {
+    constexpr int kParts = 8;
+    for (int i = 0; i <= kParts; ++i) {
+      const std::vector<double> all =
+          formulas(values(element, static_cast<double>(i) / kParts).point());
+      for (std::size_t k = 0; k <= states_; ++k) {
+        if (!std::isfinite(all[k])) {
+          return formula_name(said_, k) + ", which is not finite,";
+        }
+      }
+    }
+    return "a rate, which is not finite,";
+  }
   [[nodiscard]] PathValues values(int element, double t) const {
     PathValues here = path_.values(element, t);
     keep_in_bounds(said_, problem_.scales(), here);
@@ -206,9 +227,19 @@ class Certifier {
     });
   }
   /// Where a rate changes by half as much between points as good as one.
-  [[nodiscard]] std::string jump_between(int e, double a, double b) const {
+  [[nodiscard]] std::string jump_between(double a, double b,
+                                         bool own_controls) const {
     constexpr double kOne = 1e-7, kMuch = 1e-3, kHalf = 0.5;
-    const auto point = [&](double t) { return values(e, t).point(); };
+    const auto values_at = [&](double sigma) {
+      const Mesh::Place place = path_.mesh().locate(sigma);
+      return values(place.element, place.t);
+    };
+    const std::vector<double> controls = values_at(a).controls;
+    const auto point = [&](double sigma) {
+      PathValues here = values_at(sigma);
+      if (!own_controls) here.controls = controls;
+      return here.point();
+    };
     const auto apart = [&](double l, double r) {
       const std::vector<double> one = point(l), other = point(r);
       double most = 0.0;
@@ -234,8 +265,11 @@ class Certifier {
       }
       // A steep rate that is smooth does so over a part of the way alone.
       const bool narrow = r - l <= kMuch * (b - a);
-      if (!narrow || !(std::abs(vr - vl) >= kHalf * first)) continue;
-      const PathValues here = values(e, l);
+      if (!narrow || apart(l, r) > kOne ||
+          !(std::abs(vr - vl) >= kHalf * first)) {
+        continue;
+      }
+      const PathValues here = values_at(l);
       std::string place;
       for (std::size_t i = 0; i < said_.states.size(); ++i) {
         place += fmt::format("{}{} = {:.6g}", i == 0 ? "" : ", ", name(i),
@@ -243,8 +277,7 @@ class Certifier {
       }
       return fmt::format(
           "{} jumps at t = {:.6g}, where {}: formulas have to be smooth",
-          s == 0 ? "the cost's rate" : "the rate of " + name(s - 1),
-          path_.duration() * path_.mesh().sigma(e, l), place);
+          formula_name(said_, s), path_.duration() * l, place);
     }
     return {};
   }

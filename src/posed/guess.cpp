@@ -3,11 +3,8 @@
 
 #include "posed/guess.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <vector>
 
 #include "brachisto/math/index.hpp"
@@ -67,36 +64,6 @@ PrimalDual guess(const Posed& problem, const Mesh& mesh) {
     }
   }
   return out;
-}
-
-std::string not_finite(const Posed& problem, const MeshPath& path) {
-  const Statement& said = problem.statement();
-  const std::size_t states = said.states.size() + said.parameters.size();
-  std::vector<double> out(1 + states + said.limits.size());
-  for (int c = 0; c < path.mesh().num_points(); ++c) {
-    const PathValues values = path.values(sigma(path.mesh(), c));
-    problem.evaluate(values.point(), out);
-    for (std::size_t i = 0; i < out.size(); ++i) {
-      if (std::isfinite(out[i])) continue;
-      const std::string what =
-          i == 0 ? "the cost's rate"
-          : i <= said.states.size()
-              ? "the rate of " + variable(said, i - 1).name
-              : "the limit " + said.limits[i - 1 - states].name;
-      std::string where;
-      const std::vector<double> yu = values.point();
-      for (std::size_t k = 0; k < yu.size(); ++k) {
-        where +=
-            fmt::format("{}{} = {:.6g}", k == 0 ? "" : ", ",
-                        variable(said, k).name, yu[k] * problem.scales()[k]);
-      }
-      return fmt::format(
-          "{} is not finite at the guess, after {:.3g} % of the duration, "
-          "where {}: give a guess where it is",
-          what, 100.0 * sigma(path.mesh(), c), where);
-    }
-  }
-  return {};
 }
 
 }  // namespace brachisto::ocp

@@ -19,8 +19,4 @@ namespace brachisto::ocp {
 
 [[nodiscard]] PrimalDual guess(const Posed& problem, const Mesh& mesh);
 
-/// Which formula is not finite on a path, and where; empty if all are.
-[[nodiscard]] std::string not_finite(const Posed& problem,
-                                     const MeshPath& path);
-
 }  // namespace brachisto::ocp

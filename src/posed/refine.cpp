@@ -216,6 +216,18 @@ std::vector<double> element_errors(const Posed& problem,
   return errors;
 }
 
+void cut(const Mesh& mesh, int element, double excess,
+         std::vector<double>& boundaries) {
+  if (!(excess > 1.0)) return;
+  const int pieces = std::clamp(
+      static_cast<int>(
+          std::ceil(std::pow(excess, 1.0 / (2 * mesh.degree - 1)) * 1.2)),
+      2, 4);
+  for (int i = 1; i < pieces; ++i) {
+    boundaries.push_back(mesh.sigma(element, static_cast<double>(i) / pieces));
+  }
+}
+
 RefinedMesh refined(const RefinedMesh& last, const TwoPaths& paths,
                     const std::vector<double>& errors, double share) {
   const Mesh& mesh = paths.coarse.mesh();
@@ -267,17 +279,10 @@ RefinedMesh refined(const RefinedMesh& last, const TwoPaths& paths,
   }
   for (int e = 0; e < mesh.num_elements(); ++e) {
     const double excess = errors[at(e)] / share;
-    if (!(excess > 1.0) || left_whole[at(e)] ||
-        !(errors[at(e)] > with_junctions)) {
+    if (left_whole[at(e)] || !(errors[at(e)] > with_junctions)) {
       continue;
     }
-    const int pieces = std::clamp(
-        static_cast<int>(
-            std::ceil(std::pow(excess, 1.0 / (2 * mesh.degree - 1)) * 1.2)),
-        2, 4);
-    for (int i = 1; i < pieces; ++i) {
-      next.boundaries.push_back(mesh.sigma(e, static_cast<double>(i) / pieces));
-    }
+    cut(mesh, e, excess, next.boundaries);
   }
   std::ranges::sort(next.boundaries);
   const auto twice = std::ranges::unique(next.boundaries);

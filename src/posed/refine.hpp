@@ -45,6 +45,10 @@ struct RefinedMesh {
   [[nodiscard]] bool has_new() const {
     return std::ranges::any_of(junctions, &Junction::is_new);
   }
+  /// There are some, and none is a kink.
+  [[nodiscard]] bool all_jump() const {
+    return !junctions.empty() && !has_kinks();
+  }
   /// By how much the kink moved that did so most; 0 without one.
   [[nodiscard]] double moved() const;
 };
@@ -61,6 +65,12 @@ struct TwoPaths {
 /// the finer path.
 [[nodiscard]] std::vector<double> element_errors(const Posed& problem,
                                                  const TwoPaths& paths);
+
+/// Adds boundaries that cut an element in as many pieces as its error wants.
+///
+/// \param excess  its error over what it may be; none are added up to 1
+void cut(const Mesh& mesh, int element, double excess,
+         std::vector<double>& boundaries);
 
 /// \param share  of the error, which an element may have
 [[nodiscard]] RefinedMesh refined(const RefinedMesh& last,

@@ -30,9 +30,7 @@ double Guess::at(double share) const {
   return (1.0 - t) * values[left] + t * values[left + 1];
 }
 
-namespace {
-
-double size_of(const Variable& variable) {
+std::optional<double> size_of(const Variable& variable) {
   if (variable.scale > 0.0) return variable.scale;
   double size = 0.0;
   const auto see = [&](double value) {
@@ -45,17 +43,16 @@ double size_of(const Variable& variable) {
   for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
     if (variable.guess.given()) see(variable.guess.at(share));
   }
-  return size > 0.0 ? size : 1.0;
+  return size > 0.0 ? std::optional(size) : std::nullopt;
 }
-
-}  // namespace
 
 std::vector<double> scales_of(const Statement& statement) {
   std::vector<double> out;
   for (const auto* group :
        {&statement.states, &statement.parameters, &statement.controls}) {
     for (const Variable& variable : *group) {
-      out.push_back(std::exp2(std::round(std::log2(size_of(variable)))));
+      out.push_back(
+          std::exp2(std::round(std::log2(size_of(variable).value_or(1.0)))));
     }
   }
   return out;
@@ -68,7 +65,7 @@ class Checker {
   explicit Checker(const Statement& statement) : said_(statement) {}
 
   void operator()(const Variable& variable, bool is_state) {
-    named(variable.name);
+    named(variable.name, is_state ? "a state" : "a control or a parameter");
     printable(variable.unit, "the unit of " + variable.name);
     range(variable.name, variable.lower, variable.upper);
     if (!(variable.scale >= 0.0) || std::isinf(variable.scale)) {
@@ -96,10 +93,13 @@ class Checker {
     }
   }
   void operator()(const Limit& limit) {
-    named(limit.name);
+    named(limit.name, "a limit or a condition of the ends");
     range(limit.name, limit.lower, limit.upper);
   }
   void range(const std::string& name, double lower, double upper) {
+    if (std::isnan(lower) || std::isnan(upper)) {
+      refuse("a bound of {} is not a number", name);
+    }
     if (!(lower <= upper) || lower == kNoBound || upper == -kNoBound) {
       refuse("the bounds of {}, {} and {}, leave nothing between them", name,
              lower, upper);
@@ -118,8 +118,8 @@ class Checker {
   }
 
  private:
-  void named(const std::string& name) {
-    if (name.empty()) refuse("something has no name");
+  void named(const std::string& name, const char* what) {
+    if (name.empty()) refuse("{} has no name", what);
     printable(name, "the name " + name);
     if (!names_.insert(name).second) refuse("two things are named {}", name);
   }

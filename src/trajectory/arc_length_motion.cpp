@@ -43,14 +43,14 @@ std::vector<int> thinned(const std::vector<int>& nodes) {
 }
 
 /// Places σ, and how far the centre is there from its start.
-struct Places {
+struct Distances {
   std::vector<double> sigma;
   std::vector<Point> offsets;
 };
 
-Places places_of(const std::vector<int>& nodes, const ArcLength& problem,
-                 std::span<const double> x, const Units& units) {
-  Places out;
+Distances places_of(const std::vector<int>& nodes, const ArcLength& problem,
+                    std::span<const double> x, const Units& units) {
+  Distances out;
   for (const int node : nodes) {
     const auto i = static_cast<std::size_t>(
         problem.layout().state(node, StateComponent::X));
@@ -60,7 +60,7 @@ Places places_of(const std::vector<int>& nodes, const ArcLength& problem,
   return out;
 }
 
-PlaneCurvePtr curve_through(const Places& places, double length,
+PlaneCurvePtr curve_through(const Distances& places, double length,
                             const Scene& scene) {
   const double beta = start_angle(scene.body);
   return curve_from_rest(start_of_centre(scene),
@@ -70,7 +70,7 @@ PlaneCurvePtr curve_through(const Places& places, double length,
 
 /// The direction of the cubic through (x, z)/σ² of the first four places,
 /// continued to the start.
-double angle_at_start(const Places& places) {
+double angle_at_start(const Distances& places) {
   const std::size_t count = std::min<std::size_t>(4, places.sigma.size());
   const std::vector<double> sigma(
       places.sigma.begin(),

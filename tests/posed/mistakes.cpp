@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <initializer_list>
 #include <stdexcept>
@@ -119,7 +120,7 @@ TEST(PosedMistakes, WhatCannotBeReachedNamesTheEquation) {
 
   EXPECT_NE(answer.status, Status::Solved);
   expect_says(answer.message,
-              {"no path was found", "defect of x", "missed by"});
+              {"no path was found", "the equation of x", "missed by"});
 }
 
 TEST(PosedMistakes, ACostWithoutABoundNamesWhatGrows) {
@@ -145,6 +146,121 @@ TEST(PosedMistakes, AJumpOfAFormulaNamesItsPlace) {
   expect_says(
       answer.message,
       {"line", "the cost's rate jumps at t = ", "x = 0.33333", "smooth"});
+}
+
+/// x' = u, and what depends on the sign of x − 3/10.
+TEST(PosedMistakes, AFormulaWithoutADerivativeNamesItsPlace) {
+  const auto cost = [](const auto& x, const auto& u) {
+    const auto from = x - 0.3;
+    return u * u + from / sqrt(from * from);
+  };
+  const Answer answer = Problem(Line(cost), line()).solve();
+
+  EXPECT_FALSE(answer.verified());
+  expect_says(answer.why_not(), {"the cost's rate", "0.3", "smooth"});
+}
+
+TEST(PosedMistakes, AFormulaThatIsNotFiniteAtTheStartIsNamed) {
+  const auto cost = [](const auto& x, const auto& u) { return u * u + log(x); };
+  const Answer answer = Problem(Line(cost), line()).solve();
+
+  EXPECT_FALSE(answer.verified());
+  expect_says(answer.why_not(), {"the cost's rate", "not finite", "x = 0"});
+}
+
+/// ∫ u² of the way 1 is 1/T.
+TEST(PosedMistakes, ADurationWithoutABoundIsNamed) {
+  Statement statement = line();
+  statement.duration = {};
+  const Answer answer = Problem(Line(kSquare), statement).solve();
+
+  EXPECT_FALSE(answer.verified());
+  expect_says(answer.why_not(), {"the duration has grown to", "bound it"});
+}
+
+TEST(PosedMistakes, BoundsThatStopThePathAreNamed) {
+  Statement statement = line();
+  statement.controls[0].lower = 0.0;
+  statement.controls[0].upper = 0.5;
+  const Answer answer = Problem(Line(kSquare), statement).solve();
+
+  expect_says(answer.message, {"stopped by u ≤ 0.5"});
+}
+
+struct Two : Sizes<2, 2> {
+  template <class S>
+  [[nodiscard]] Rates<S> rates(const Point<S>& at) const {
+    const auto& [u, w] = at.controls;
+    return {u * u, {u, w}};
+  }
+};
+
+TEST(PosedMistakes, ASizeThatNothingTellsIsAskedFor) {
+  Statement statement = line();
+  statement.states[0].end = 1e6;
+  statement.controls.push_back({.name = "w", .lower = 0.0, .upper = 1.0});
+  statement.states.push_back({.name = "y", .start = 0.0, .end = 2.0});
+  const Answer answer = Problem(Two{}, statement).solve();
+
+  EXPECT_FALSE(answer.verified());
+  expect_says(answer.message, {"y is missed", "size of u: give"});
+}
+
+template <class Formulas>
+std::string refusal_of_solve(Formulas formulas, const Statement& statement,
+                             const SolveBy& by = {}) {
+  const Problem problem(formulas, statement);
+  try {
+    (void)problem.solve(by);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+struct Idle : Sizes<1, 2> {
+  template <class S>
+  [[nodiscard]] Rates<S> rates(const Point<S>& at) const {
+    return {at.controls[0] * at.controls[0], {at.controls[0]}};
+  }
+};
+
+TEST(PosedMistakes, AControlOnWhichNothingDependsIsNamed) {
+  Statement statement = line();
+  statement.controls.push_back({.name = "w"});
+
+  expect_says(refusal_of_solve(Idle{}, statement),
+              {"nothing depends on w", "leave it out"});
+}
+
+struct Limited : Sizes<1, 1> {
+  template <class S>
+  [[nodiscard]] Rates<S> rates(const Point<S>& at) const {
+    return {at.controls[0] * at.controls[0], {at.controls[0]}};
+  }
+  template <class S>
+  [[nodiscard]] std::array<S, 2> limits(const Point<S>& at) const {
+    return {at.states[0] + at.controls[0], at.states[0] * 2.0};
+  }
+};
+
+TEST(PosedMistakes, ALimitThatTheStartBreaksIsNamed) {
+  Statement statement = line();
+  statement.limits = {{.name = "pace", .lower = 0.5},
+                      {.name = "height", .lower = 0.5}};
+
+  expect_says(refusal_of_solve(Limited{}, statement),
+              {"height is 0", "given at the start", "0.5"});
+}
+
+TEST(PosedMistakes, OptionsOutOfRangeAreNamed) {
+  const Line formulas(kSquare);
+  expect_says(refusal_of_solve(formulas, line(), {.tolerance = -1.0}),
+              {"the tolerance, -1, is not positive"});
+  expect_says(refusal_of_solve(formulas, line(), {.degree = 40}),
+              {"the degree, 40, is not between 2 and 11"});
+  expect_says(refusal_of_solve(formulas, line(), {.elements = 0}),
+              {"elements, 0, is less than 1"});
 }
 
 TEST(PosedMistakes, NothingHasToBeGuessed) {

@@ -75,7 +75,9 @@ class Posed {
                         std::span<double> out) const = 0;
 };
 
-/// \throws what a problem's evaluation throws
+/// \throws std::invalid_argument  for options out of their ranges, a control on
+///         which nothing depends, and a limit that the given states of an end
+///         break; and what a problem's evaluation throws
 [[nodiscard]] Answer solve(const Posed& problem, const SolveBy& by = {});
 
 /// Formulas as a description with scales, for LeastCost.

@@ -86,6 +86,10 @@ struct Statement {
   std::string time_unit = {};
 };
 
+/// What its scale, bounds, ends and guess tell of a variable's size, if they
+/// do.
+[[nodiscard]] std::optional<double> size_of(const Variable& variable);
+
 /// Powers of two by which states, parameters behind them, and controls are
 /// divided, next to their sizes.
 [[nodiscard]] std::vector<double> scales_of(const Statement& statement);

@@ -14,8 +14,8 @@
 
 #include "brachisto/io/problem_file.hpp"
 #include "io/expression.hpp"
-#include "io/field_reader.hpp"
 #include "io/input_tree.hpp"
+#include "io/item_reader.hpp"
 #include "io/text_lines.hpp"
 #include "io/visible_text.hpp"
 #include "math/roots.hpp"

@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "brachisto/model/body.hpp"
-#include "io/list_reader.hpp"
 #include "io/lists.hpp"
 #include "io/mass_part_text.hpp"
 
@@ -21,23 +20,21 @@ namespace brachisto::io {
 namespace {
 
 /// Texts, which stand for parts until the radius is known.
-void read_parts(Draft& problem, const KeySpec& spec, const YamlValue& list,
-                Findings& findings) {
+Objection put_parts(Draft& problem, const Json& list, Binding::Row) {
   problem.design.parts.clear();
-  const ListReader reader(spec, findings);
-  reader.each(list, [&](const YamlValue& item) {
-    if (item.kind != YamlValue::Kind::Scalar) return reader.refuse_kind(item);
-    problem.design.parts.emplace_back().name = item.text;
-  });
+  for (const Json& text : list) {
+    problem.design.parts.emplace_back().name = text.get<std::string>();
+  }
+  return {};
 }
 
 }  // namespace
 
 Binding parts_list() {
   // Not echoed: eta_m, theta_m and k say what matters of them.
-  return {.type = KeyType::List, .read_list = read_parts, .items = [] {
-            return Json{{"type", "string"}};
-          }};
+  return {.type = KeyType::List,
+          .put_list = put_parts,
+          .items = {{"", {.type = KeyType::Text}, ""}}};
 }
 
 void read_body_parts(const YamlValue& root, Draft& problem,

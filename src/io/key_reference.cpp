@@ -14,9 +14,7 @@
 
 #include "io/binding.hpp"
 #include "io/expression.hpp"
-#include "io/field_reader.hpp"
 #include "io/key_spec.hpp"
-#include "io/list_reader.hpp"
 #include "io/sweep_section.hpp"
 #include "math/enum_table.hpp"
 
@@ -105,10 +103,10 @@ namespace {
 
 /// Texts that consist of what expressions consist of. Whether they are one,
 /// only the program says.
-std::string pattern(const KeySpec& spec, Names names) {
+std::string pattern(const KeySpec& spec) {
   // One character or word at a time, for a search without backtracking.
   return fmt::format(R"(^([0-9.]|[eE][-+]?[0-9]|{}|[-+*/^(),\s])+{}$)",
-                     fmt::join(expression_names(names), "|"),
+                     fmt::join(expression_names(spec.value.names), "|"),
                      unit_of(spec) == Unit::Angle ? R"((deg|rad)?\s*)" : "");
 }
 
@@ -123,43 +121,58 @@ void add_bounds(Json& schema, const Interval& interval) {
   }
 }
 
-}  // namespace
+Json value_schema(const KeySpec& spec);
 
 // Bounds are for literals alone, a pattern for texts alone.
-Json number_schema(const KeySpec& spec, Names names) {
+Json number_schema(const KeySpec& spec) {
   Json schema = {
       {"type",
        {spec.type() == KeyType::Integer ? "integer" : "number", "string"}},
-      {"pattern", pattern(spec, names)},
+      {"pattern", pattern(spec)},
       {"patternErrorMessage", "expected " + expected(spec)}};
   add_bounds(schema, spec.interval);
   add_bounds(schema, spec.physical);
   return schema;
 }
 
-Json list_schema(Json items) {
+Json array_schema(Json items) {
   return {{"type", "array"}, {"items", std::move(items)}, {"minItems", 1}};
 }
 
-Json number_or_text_schema() {
-  return {{"type", {"number", "string"}}};
-}
-
-Json pair_schema() {
-  return {{"type", "array"},
-          {"items", number_or_text_schema()},
-          {"minItems", 2},
-          {"maxItems", 2}};
-}
-
-Json map_schema(Json properties, std::span<const std::string_view> required) {
-  Json schema = {{"type", "object"}, {"properties", std::move(properties)}};
-  if (!required.empty()) schema["required"] = required;
-  schema["additionalProperties"] = false;
+/// Of a list whose items are described.
+Json list_schema(const KeySpec& spec) {
+  std::vector<Json> items;
+  for (const KeySpec& item : spec.value.items) {
+    items.push_back(value_schema(item));
+  }
+  Json schema =
+      array_schema(items.size() == 1 ? items.front() : Json{{"anyOf", items}});
+  if (spec.value.count != 0) {
+    schema["minItems"] = schema["maxItems"] = spec.value.count;
+  }
   return schema;
 }
 
-namespace {
+/// Of a map that has no other keys.
+Json closed_map(Json properties) {
+  return {{"type", "object"},
+          {"properties", std::move(properties)},
+          {"additionalProperties", false}};
+}
+
+/// Of a map whose keys are described; of a key of the table they follow.
+Json map_schema(const KeySpec& spec) {
+  Json properties = Json::object(), required, one_of;
+  for (const KeySpec& key : spec.value.items) {
+    properties[key.path] = value_schema(key);
+    if (key.is_required()) required.push_back(key.path);
+    one_of.push_back({{"required", {key.path}}});
+  }
+  Json schema = closed_map(std::move(properties));
+  if (!required.is_null()) schema["required"] = required;
+  if (spec.value.one_of) schema["oneOf"] = one_of;
+  return schema;
+}
 
 Json choice_schema(const KeySpec& spec) {
   const std::vector<std::string_view>& words = spec.value.words;
@@ -171,28 +184,14 @@ Json choice_schema(const KeySpec& spec) {
   return {{"enum", std::move(values)}};
 }
 
-/// Numbers between two ends, with or without their count.
-Json range_schema(const Json& value, bool counted) {
-  Json properties = {{"from", value}, {"to", value}};
-  if (counted) {
-    properties["count"] = {{"type", {"integer", "string"}},
-                           {"minimum", kCounts.lower},
-                           {"maximum", kCounts.upper}};
-  }
-  properties["spacing"] = {{"enum", {"linear", "log"}}};
-  Json range = map_schema(std::move(properties));
-  range["required"] = {"from", counted ? "count" : "to"};
-  return range;
-}
-
 /// What a key may be in the section `sweep`: one value, a list or a range.
 Json swept_schema(const KeySpec& spec) {
-  if (spec.type() == KeyType::Choice) {
-    const Json word = choice_schema(spec);
-    return {{"anyOf", {word, list_schema(word)}}};
+  const Json value = value_schema(as_swept(spec));
+  Json kinds = {value, array_schema(value)};
+  if (spec.type() != KeyType::Choice) {
+    kinds.push_back(map_schema(range_of(spec, true)));
   }
-  const Json value = number_schema(spec, Names::Quantities);
-  return {{"anyOf", {value, list_schema(value), range_schema(value, true)}}};
+  return {{"anyOf", std::move(kinds)}};
 }
 
 Json sweep_schema() {
@@ -202,35 +201,25 @@ Json sweep_schema() {
     paths.push_back(spec.path);
     swept[spec.path] = swept_schema(spec);
     swept[spec.path]["description"] = spec.description;
-    const bool real =
-        spec.type() == KeyType::Number || spec.type() == KeyType::Angle;
-    if (!real) continue;
-    sampled[spec.path] =
-        range_schema(number_schema(spec, Names::Quantities), false);
+    if (is_real(spec)) {
+      sampled[spec.path] = map_schema(range_of(spec, false));
+    }
   }
-  const Json together = {
-      {"type", "array"}, {"items", {{"enum", paths}}}, {"minItems", 2}};
+  Json together = array_schema({{"enum", paths}});
+  together["minItems"] = 2;
   swept["zip"] = {{"description", "keys that run together"},
-                  {"anyOf", {together, list_schema(together)}}};
-  Json random = map_schema({{"seed", {{"type", "integer"}, {"minimum", 0}}},
-                            {"count", {{"type", "integer"}, {"minimum", 1}}},
-                            {"ranges", map_schema(sampled)}});
-  random["required"] = {"count", "ranges"};
-  random["description"] = "keys that are drawn between two ends";
-  swept["random"] = std::move(random);
-  swept["warm_start"] = {
-      {"type", "boolean"},
-      {"description", "start each scene from its neighbour's solution"}};
-  swept["keep"] = {{"enum", {"nothing", "tracks"}},
-                   {"description",
-                    "what is kept of each scene besides its "
-                    "numbers"}};
-  return map_schema(std::move(swept));
+                  {"anyOf", {together, array_schema(together)}}};
+  for (const KeySpec& spec : keys_beside_swept()) {
+    swept[spec.path] = value_schema(spec);
+    swept[spec.path]["description"] = spec.description;
+  }
+  swept["random"]["properties"]["ranges"] = closed_map(sampled);
+  return closed_map(std::move(swept));
 }
 
 /// Keywords about properties mean nothing to a word.
 Json choice_or_map_schema(const KeySpec& spec) {
-  Json schema = map_schema(Json::object());
+  Json schema = closed_map(Json::object());
   schema.erase("type");
   schema["oneOf"] = {choice_schema(spec), {{"type", "object"}}};
   return schema;
@@ -248,9 +237,9 @@ Json value_schema(const KeySpec& spec) {
     case KeyType::Text:
       return {{"type", "string"}};
     case KeyType::List:
-      return list_schema(spec.value.items());
+      return list_schema(spec);
     case KeyType::Map:
-      return map_schema(Json::object());
+      return map_schema(spec);
     case KeyType::Sweep:
       return sweep_schema();
     case KeyType::Reserved:
@@ -316,7 +305,7 @@ Json required_of_problems() {
 std::string problem_schema() {
   Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"},
                  {"title", "Problem file of brachisto"}};
-  schema.update(map_schema(Json::object()));
+  schema.update(closed_map(Json::object()));
   Json of_cylinder;
   for (const KeySpec& spec : key_table()) {
     if (spec.type() == KeyType::Reserved) continue;

@@ -129,6 +129,13 @@ std::vector<std::string_view> keys_of(std::string_view map) {
   return names;
 }
 
+std::vector<std::string_view> keys_of(const KeySpec& map) {
+  if (map.value.items.empty()) return keys_of(map.path);
+  std::vector<std::string_view> names;
+  for (const KeySpec& key : map.value.items) names.push_back(key.path);
+  return names;
+}
+
 bool is_choice_or_map(const KeySpec& spec) {
   return spec.type() == KeyType::Choice && !keys_of(spec.path).empty();
 }
@@ -159,8 +166,9 @@ std::string expected(const KeySpec& spec) {
   std::string text;
   switch (spec.type()) {
     case KeyType::Map:
+      if (!spec.bounds.empty()) return spec.bounds;
       return fmt::format("a map with the keys {}",
-                         fmt::join(keys_of(spec.path), ", "));
+                         fmt::join(keys_of(spec), ", "));
     case KeyType::Choice:
       return fmt::format(
           "{}{}{}", fmt::join(spec.value.words, " or "),

@@ -59,9 +59,15 @@ struct Interval {
   }
 };
 
+inline constexpr Interval kPositive{.lower = 0.0, .lower_allowed = false};
+
 struct KeySpec;
-struct YamlValue;
-class Findings;
+
+/// What is wrong with a list that was read; no text: nothing.
+struct Objection {
+  std::string text = {};
+  std::size_t item = std::numeric_limits<std::size_t>::max();  ///< else all
+};
 
 /// Where the value of a key lives, in both directions: functions without
 /// captures, made by those of io/binding.hpp. `row` is that of the binding.
@@ -81,10 +87,15 @@ struct Binding {
   bool (*used)(const Draft&) = nullptr;
   /// If there is none, the echo leaves the key out instead of saying null.
   bool silent = false;
-  /// Stores a list, or reports what is wrong with it.
-  void (*read_list)(Draft&, const KeySpec&, const YamlValue&,
-                    Findings&) = nullptr;
-  Json (*items)() = nullptr;  ///< schema of the items of a list
+  /// Of a list: stores what was read of it by `items`, see ItemReader.
+  Objection (*put_list)(Draft&, const Json&, Row) = nullptr;
+  /// What an item of a list may be, one word or number, list or map each. Of a
+  /// map that is no key of a problem: its keys.
+  std::vector<KeySpec> items = {};
+  bool one_of = false;        ///< such a map has one of its keys
+  bool once = false;          ///< no item of a list is repeated
+  std::size_t count = 0;      ///< of items of a list; 0: one or more
+  Names names = Names::None;  ///< what a number may name; if any, it is a text
   Row row = 0;                ///< of a table that has an entry for each key
 
   /// Whether the effective input has the key.
@@ -163,6 +174,7 @@ inline constexpr const char* kInertiaKey = "scene.body.inertia";
 
 /// Names of the keys that a map may contain, reserved ones left out.
 [[nodiscard]] std::vector<std::string_view> keys_of(std::string_view map);
+[[nodiscard]] std::vector<std::string_view> keys_of(const KeySpec& map);
 
 /// Whether a key may have, in place of a word, a map of keys below it.
 [[nodiscard]] bool is_choice_or_map(const KeySpec& spec);
@@ -201,15 +213,6 @@ struct KeyWord {
 /// that the reader of problem files works with. docs/problem-files.md quotes
 /// it.
 [[nodiscard]] std::string key_reference_markdown();
-
-/// A number that may also be an expression, as a JSON Schema.
-[[nodiscard]] Json number_schema(const KeySpec& spec,
-                                 Names names = Names::None);
-
-/// JSON Schemas of a list, and of a map that has no other keys.
-[[nodiscard]] Json list_schema(Json items);
-[[nodiscard]] Json map_schema(Json properties,
-                              std::span<const std::string_view> required = {});
 
 /// A JSON Schema of problem files, made from the same table. It knows keys,
 /// types, words and the bounds of single values; what keys demand of each other

@@ -24,7 +24,6 @@ namespace {
 using Keys = std::vector<KeySpec>;
 
 constexpr double kMaxInt = std::numeric_limits<int>::max();
-constexpr Interval kPositive{.lower = 0.0, .lower_allowed = false};
 
 constexpr auto kScene = place([](auto& p) -> auto& { return p.scene; });
 constexpr auto kBody = place([](auto& p) -> auto& { return p.scene.body; });

@@ -7,7 +7,6 @@
 
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -15,7 +14,7 @@
 
 #include "io/expression.hpp"
 #include "io/input_tree.hpp"
-#include "io/list_reader.hpp"
+#include "io/item_reader.hpp"
 #include "io/lists.hpp"
 #include "io/text_lines.hpp"
 #include "io/visible_text.hpp"
@@ -62,53 +61,19 @@ std::string objection(const std::vector<Point>& points, const Point& point) {
                            kMostPoints);
 }
 
-/// A point [x, z] of a problem file; otherwise nothing, and reported.
-std::optional<Point> point_of_item(const YamlValue& item,
-                                   const std::string& key, Findings& findings) {
-  const ListReader reader(key, "a point [x, z], two numbers in m", findings);
-  if (item.kind == YamlValue::Kind::List && item.items.size() != 2) {
-    reader.refuse(item.position,
-                  fmt::format("a list of {} was read", item.items.size()));
-    return std::nullopt;
-  }
-  std::vector<double> numbers;
-  reader.each(item, [&](const YamlValue& value) {
-    const auto number = reader.number(value, KeyType::Number, {});
-    if (number) numbers.push_back(*number);
-  });
-  if (numbers.size() != 2) return std::nullopt;
-  return Point{numbers[0], numbers[1]};
-}
-
-void read_points(Draft& problem, const KeySpec& spec, const YamlValue& list,
-                 Findings& findings) {
-  std::vector<Point> points;
-  std::string mistake;
-  Position where = list.position;
-  if (list.items.empty()) {
-    mistake = fmt::format("{} was read", list.kind == YamlValue::Kind::List
-                                             ? "an empty list"
-                                             : kind_name(list.kind));
-  }
-  for (const YamlValue& item : list.items) {
-    where = item.position;
-    const std::optional<Point> point =
-        point_of_item(item, std::string(spec.path), findings);
-    if (!point) break;
-    mistake = objection(points, *point);
-    if (!mistake.empty()) {
-      mistake = fmt::format("[{}, {}] {}", point->x, point->z, mistake);
-      break;
-    }
-    points.push_back(*point);
-  }
-  if (!mistake.empty()) {
-    ListReader(spec, findings).refuse(where, mistake, " in m");
-  }
+Objection put_points(Draft& problem, const Json& list, Binding::Row) {
   auto path = std::make_shared<GivenPath>(
       problem.scene.path ? *problem.scene.path : GivenPath{});
-  path->points = std::move(points);
+  path->points.clear();
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const Point point{list[i][0], list[i][1]};
+    if (const std::string why = objection(path->points, point); !why.empty()) {
+      return {fmt::format("[{}, {}] {}", point.x, point.z, why), i};
+    }
+    path->points.push_back(point);
+  }
   problem.scene.path = std::move(path);
+  return {};
 }
 
 Json points_json(const Draft& problem, Binding::Row) {
@@ -158,11 +123,14 @@ std::vector<Point> parse_points(std::string_view text) {
 }
 
 Binding points_list() {
+  KeySpec point = list_item("", number_item("", KeyType::Number),
+                            {.bounds = "a point [x, z], two numbers in m"});
+  point.value.count = 2;
   return {.type = KeyType::List,
           .echo = points_json,
           .silent = true,
-          .read_list = read_points,
-          .items = pair_schema};
+          .put_list = put_points,
+          .items = {std::move(point)}};
 }
 
 void read_path_points(const InputTree& input, const std::vector<Point>* known,

@@ -13,9 +13,9 @@
 #include "io/body_parts.hpp"
 #include "io/consistency.hpp"
 #include "io/expression.hpp"
-#include "io/field_reader.hpp"
 #include "io/findings.hpp"
 #include "io/input_tree.hpp"
+#include "io/item_reader.hpp"
 #include "io/path_points.hpp"
 #include "io/visible_text.hpp"
 #include "math/angle.hpp"
@@ -113,7 +113,7 @@ void ProblemReader::read_value(const KeySpec& spec, const Entry& entry) {
   const YamlValue& node = entry.value;
   if (node.kind == YamlValue::Kind::Refused) return;
   if (spec.type() == KeyType::List) {
-    return spec.value.read_list(problem_, spec, node, findings_);
+    return read_list(spec, entry);
   }
   const bool is_map =
       spec.type() == KeyType::Map ||
@@ -130,6 +130,21 @@ void ProblemReader::read_value(const KeySpec& spec, const Entry& entry) {
   } else {
     read_number(spec, node);
   }
+}
+
+void ProblemReader::read_list(const KeySpec& spec, const Entry& entry) {
+  const YamlValue& node = entry.value;
+  const std::string key(spec.path);
+  const std::string expected = io::expected(spec);
+  const auto list =
+      read_item(spec, node, entry.position, key, expected, findings_);
+  if (!list) return;
+  const auto [what, item] =
+      spec.value.put_list(problem_, *list, spec.value.row);
+  if (what.empty()) return;
+  findings_.add(
+      item < node.items.size() ? node.items[item].position : node.position, key,
+      fmt::format("{}; expected {}", what, expected));
 }
 
 void ProblemReader::read_number(const KeySpec& spec, const YamlValue& node) {

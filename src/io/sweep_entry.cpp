@@ -5,13 +5,75 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <string_view>
 #include <utility>
 
-#include "io/field_reader.hpp"
+#include "io/item_reader.hpp"
 #include "io/sweep_section.hpp"
 
 namespace brachisto::io {
+
+KeySpec as_swept(const KeySpec& spec) {
+  KeySpec swept = spec;
+  swept.value.names = Names::Quantities;
+  return swept;
+}
+
+namespace {
+
+KeySpec count_item() {
+  return number_item("count", KeyType::Integer,
+                     {.presence = Presence::Required,
+                      .bounds = "from 1 to 10 million",
+                      .interval = {1, static_cast<double>(kMaxScenes)}});
+}
+
+}  // namespace
+
+KeySpec range_of(const KeySpec& spec, bool counted) {
+  KeySpec from = as_swept(spec);
+  from.path = "from";
+  from.presence = Presence::Required;
+  KeySpec to = from;
+  to.path = "to";
+  if (counted) to.presence = Presence::Optional;
+  std::vector<KeySpec> keys{std::move(from), std::move(to)};
+  if (counted) keys.push_back(count_item());
+  keys.push_back(word_item("spacing", {"linear", "log"}));
+  return map_item("", std::move(keys),
+                  {.bounds = "a map with from, to and, if need be, spacing"});
+}
+
+const std::vector<KeySpec>& keys_beside_swept() {
+  static const std::vector<KeySpec> keys = [] {
+    const auto said = [](KeySpec spec, std::string_view meaning) {
+      spec.description = meaning;
+      return spec;
+    };
+    const KeySpec seed = number_item(
+        "seed", KeyType::Integer,
+        {.interval = {.lower = 0, .upper = std::numeric_limits<int>::max()}});
+    const KeySpec ranges = map_item("ranges", {},
+                                    {.presence = Presence::Required,
+                                     .bounds = std::string(kExpectedRanges)});
+    return std::vector{
+        said(map_item("random", {seed, count_item(), ranges},
+                      {.bounds = "a map with seed, count and ranges"}),
+             "keys that are drawn between two ends"),
+        said(word_item("warm_start", {"false", "true"}),
+             "start each scene from its neighbour's solution"),
+        said(word_item("keep", {"nothing", "tracks"}),
+             "what is kept of each scene besides its numbers")};
+  }();
+  return keys;
+}
+
+bool is_real(const KeySpec& spec) {
+  return spec.type() == KeyType::Number || spec.type() == KeyType::Angle;
+}
 
 namespace {
 
@@ -30,49 +92,36 @@ class EntryReader {
 
   [[nodiscard]] SweepEntry read() {
     const YamlValue& value = entry_.value;
-    switch (value.kind) {
-      case YamlValue::Kind::List:
-        swept_.runs = true;
-        read_list(value.items);
-        break;
-      case YamlValue::Kind::Scalar:
-        read_list({value});
-        break;
-      case YamlValue::Kind::Map:
-        swept_.runs = true;
-        read_range(value);
-        break;
-      case YamlValue::Kind::Null:
-      case YamlValue::Kind::Refused:
-        refuse_kind(value, swept_.key, expected_rule(), findings_);
-        break;
+    const bool words = spec_.type() == KeyType::Choice;
+    const std::string expected =
+        words ? "a list of words: " + io::expected(spec_)
+              : "a list, a map with from, to and count, or one number";
+    swept_.runs = value.kind != YamlValue::Kind::Scalar;
+    if (value.kind == YamlValue::Kind::Scalar) {
+      read_values({value});
+    } else if (value.kind == YamlValue::Kind::List && !value.items.empty()) {
+      read_values(value.items);
+    } else if (value.kind == YamlValue::Kind::List) {
+      refuse(value.position, "an empty list was read; expected " + expected);
+    } else if (value.kind == YamlValue::Kind::Map && !words) {
+      read_range();
+    } else {
+      refuse_kind(value, swept_.key, expected, findings_);
     }
     return std::move(swept_);
   }
 
   [[nodiscard]] SweepEntry read_sample(std::uint64_t seed) {
     swept_.runs = true;
-    const YamlValue& value = entry_.value;
-    const bool real =
-        spec_.type() == KeyType::Number || spec_.type() == KeyType::Angle;
-    if (!real) {
+    if (!is_real(spec_)) {
       refuse(entry_.position,
              "only real numbers can be random, and this key has " +
                  expected(spec_));
-    } else if (value.kind == YamlValue::Kind::Map) {
-      const FieldReader fields(value, swept_.key, entry_.position, findings_);
-      fields.allow_only({"from", "to", "spacing"});
-      auto from = fields.number("from", spec_);
-      auto to = fields.number("to", spec_);
-      const Spacing spacing = spacing_of(fields);
-      if (from && to) {
-        swept_.rule = NumberRange{*std::move(from), *std::move(to), spacing,
-                                  RandomStream(seed, spec_.path)};
-        swept_.readable = true;
-      }
-    } else {
-      refuse_kind(value, swept_.key,
-                  "a map with from, to and, if need be, spacing", findings_);
+    } else if (const auto read = range(false)) {
+      swept_.rule = between_ends(*read);
+      std::get<NumberRange>(swept_.rule).random =
+          RandomStream(seed, spec_.path);
+      swept_.readable = true;
     }
     return std::move(swept_);
   }
@@ -82,87 +131,71 @@ class EntryReader {
     findings_.add(position, swept_.key, std::move(message));
   }
 
-  [[nodiscard]] std::string expected_rule() const {
-    return spec_.type() == KeyType::Choice
-               ? "a list of words: " + expected(spec_)
-               : "a list, a map with from, to and count, or one number";
-  }
-
-  void read_list(const std::vector<YamlValue>& items) {
-    if (items.empty()) {
-      refuse(swept_.position,
-             "an empty list was read; expected " + expected_rule());
-      return;
-    }
-    const std::size_t before = findings_.all().size();
-    std::vector<std::string> words;
-    std::vector<Expression> numbers;
+  void read_values(const std::vector<YamlValue>& items) {
+    const KeySpec spec = as_swept(spec_);
+    std::vector<std::string> texts;
     for (const YamlValue& item : items) {
       swept_.positions.push_back(item.position);
-      if (item.kind == YamlValue::Kind::Refused) return;
-      if (item.kind != YamlValue::Kind::Scalar) {
-        refuse_kind(item, swept_.key, expected(spec_), findings_);
-      } else if (spec_.type() == KeyType::Choice) {
-        words.push_back(read_word(item));
-      } else {
-        read_number(item, numbers);
-      }
+      const auto text = read_item(spec, item, item.position, swept_.key,
+                                  expected(spec_), findings_);
+      if (text) texts.push_back(text->get<std::string>());
     }
     swept_.count = items.size();
-    swept_.readable = findings_.all().size() == before;
+    swept_.readable = texts.size() == items.size();
     if (spec_.type() == KeyType::Choice) {
-      swept_.rule = std::move(words);
-    } else {
-      swept_.rule = std::move(numbers);
+      swept_.rule = std::move(texts);
+      return;
     }
+    std::vector<Expression> numbers;
+    for (const std::string& text : texts) {
+      numbers.emplace_back(text, unit_of(spec_));
+    }
+    swept_.rule = std::move(numbers);
   }
 
-  [[nodiscard]] std::string read_word(const YamlValue& item) {
-    std::string message = objection(spec_, item.text);
-    if (!message.empty()) refuse(item.position, std::move(message));
-    return item.text;
+  [[nodiscard]] std::optional<Json> range(bool counted) {
+    const KeySpec spec = range_of(spec_, counted);
+    return read_item(spec, entry_.value, entry_.position, swept_.key,
+                     expected(spec), findings_);
   }
 
-  void read_number(const YamlValue& item, std::vector<Expression>& numbers) {
-    try {
-      numbers.emplace_back(item.text, unit_of(spec_));
-    } catch (const ExpressionError& error) {
-      refuse(item.position, not_a_number(item.text, error, expected(spec_)));
-    }
+  [[nodiscard]] NumberRange between_ends(const Json& range) const {
+    const auto end = [&](const char* name) {
+      return Expression(range.at(name).get<std::string>(), unit_of(spec_));
+    };
+    return {end("from"), end(range.contains("to") ? "to" : "from"),
+            range.value("spacing", "linear") == "log" ? Spacing::Log
+                                                      : Spacing::Linear};
   }
 
-  void read_range(const YamlValue& map) {
-    if (spec_.type() == KeyType::Choice) {
-      return refuse_kind(map, swept_.key, expected_rule(), findings_);
+  void read_range() {
+    const std::optional<Json> read = range(true);
+    const YamlValue& map = entry_.value;
+    const Entry* count = map.find("count");
+    const bool single = read ? read->at("count") == 1
+                             : count != nullptr && count->value.text == "1";
+    swept_.readable = read.has_value();
+    const auto refuse_key = [&](std::string_view name, Position position,
+                                std::string message) {
+      swept_.readable = false;
+      findings_.add(position, fmt::format("{}.{}", swept_.key, name),
+                    std::move(message));
+    };
+    if (!single && map.find("to") == nullptr) {
+      refuse_key("to", entry_.position,
+                 fmt::format("missing; expected {}", expected(spec_)));
     }
-    const std::size_t before = findings_.all().size();
-    const FieldReader fields(map, swept_.key, entry_.position, findings_);
-    fields.allow_only({"from", "to", "count", "spacing"});
-    auto from = fields.number("from", spec_);
-    const auto count = fields.integer("count", kCounts, kExpectedCount);
-    auto to = from;
-    if (count != 1.0) {
-      to = fields.number("to", spec_);
-    } else {
-      for (const std::string_view unused : {"to", "spacing"}) {
-        if (!fields.has(unused)) continue;
-        fields.refuse(unused,
-                      fmt::format("not used: with count 1 there is only the "
-                                  "value from; leave {} out",
-                                  unused));
-      }
+    for (const std::string_view unused : {"to", "spacing"}) {
+      const Entry* entry = map.find(unused);
+      if (!single || entry == nullptr) continue;
+      refuse_key(unused, entry->value.position,
+                 fmt::format("not used: with count 1 there is only the value "
+                             "from; leave {} out",
+                             unused));
     }
-    const Spacing spacing = spacing_of(fields);
-    if (from && to && count) {
-      swept_.rule = NumberRange{*std::move(from), *std::move(to), spacing};
-      swept_.count = static_cast<std::size_t>(*count);
-    }
-    swept_.readable = findings_.all().size() == before;
-  }
-
-  static Spacing spacing_of(const FieldReader& fields) {
-    return fields.word("spacing", {"linear", "log"}) == "log" ? Spacing::Log
-                                                              : Spacing::Linear;
+    if (!read) return;
+    swept_.rule = between_ends(*read);
+    swept_.count = read->at("count").get<std::size_t>();
   }
 
   const KeySpec& spec_;

@@ -9,13 +9,14 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <numeric>
 #include <set>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "io/field_reader.hpp"
+#include "io/item_reader.hpp"
 #include "io/visible_text.hpp"
 
 namespace brachisto::io {
@@ -72,13 +73,7 @@ std::string objection_to_swept_key(std::string_view key) {
       suggestion(key, known));
 }
 
-constexpr const char* kRandom = "sweep.random";
 constexpr const char* kRanges = "sweep.random.ranges";
-constexpr const char* kExpectedRanges =
-    "a map of the keys that are random, each with from and to";
-constexpr Interval kSeeds{0, std::numeric_limits<int>::max()};
-constexpr double kDefaultSeed = 1;
-
 constexpr const char* kZip = "sweep.zip";
 constexpr const char* kExpectedZip =
     "a list of keys that run together, or a list of such lists";
@@ -245,20 +240,16 @@ class SectionReader {
 
   [[nodiscard]] SweepSection read(const Entry& sweep) {
     for (const Entry& entry : sweep.value.entries) {
-      if (entry.key == "random") {
-        read_random(entry);
-      } else if (entry.key != "zip" && entry.key != "warm_start" &&
-                 entry.key != "keep") {
+      const auto& others = keys_beside_swept();
+      const auto other = std::ranges::find(others, entry.key, &KeySpec::path);
+      if (other != others.end()) {
+        read_other(*other, entry);
+      } else if (entry.key != "zip") {
         read_key(entry, "sweep", [&](const KeySpec& spec, std::string key) {
           return read_sweep_entry(spec, entry, std::move(key), findings_);
         });
       }
     }
-    const FieldReader fields(sweep.value, "sweep", sweep.position, findings_);
-    section_.warm_start =
-        fields.word("warm_start", {"false", "true"}) == "true";
-    section_.keeps_tracks =
-        fields.word("keep", {"nothing", "tracks"}) == "tracks";
     build_axes(sweep, section_, findings_);
     return std::move(section_);
   }
@@ -298,36 +289,29 @@ class SectionReader {
     return found == section_.entries.end() ? nullptr : &*found;
   }
 
-  void read_random(const Entry& random) {
-    const YamlValue& map = random.value;
-    if (map.kind != YamlValue::Kind::Map) {
-      return refuse_kind(map, kRandom, "a map with seed, count and ranges",
-                         findings_);
+  void read_other(const KeySpec& spec, const Entry& entry) {
+    const auto read = read_item(spec, entry.value, entry.position,
+                                fmt::format("sweep.{}", spec.path),
+                                expected(spec), findings_);
+    if (entry.value.find("ranges") != nullptr) {
+      const Json found = read.value_or(Json::object());
+      read_ranges(*entry.value.find("ranges"),
+                  found.value("seed", std::uint64_t{1}),
+                  found.value("count", std::size_t{1}));
+    } else if (read && spec.path == "warm_start") {
+      section_.warm_start = *read == "true";
+    } else if (read && spec.path == "keep") {
+      section_.keeps_tracks = *read == "tracks";
     }
-    const FieldReader fields(map, kRandom, random.position, findings_);
-    fields.allow_only({"seed", "count", "ranges"});
-    const auto seed = fields.integer("seed", kSeeds, "an integer, ≥ 0", true);
-    const auto count = fields.integer("count", kCounts, kExpectedCount);
-    const Entry* ranges = map.find("ranges");
-    if (ranges == nullptr) {
-      fields.refuse("ranges",
-                    fmt::format("missing; expected {}", kExpectedRanges));
-      return;
-    }
-    read_ranges(*ranges,
-                static_cast<std::uint64_t>(seed.value_or(kDefaultSeed)),
-                static_cast<std::size_t>(count.value_or(1)));
   }
 
   void read_ranges(const Entry& ranges, std::uint64_t seed, std::size_t count) {
     const YamlValue& map = ranges.value;
-    if (map.kind != YamlValue::Kind::Map) {
-      return refuse_kind(map, kRanges, kExpectedRanges, findings_);
-    }
+    if (map.kind != YamlValue::Kind::Map) return;
     if (map.entries.empty()) {
       findings_.add(
           map.position, kRanges,
-          fmt::format("an empty map was read; expected {}", kExpectedRanges));
+          "an empty map was read; expected " + std::string(kExpectedRanges));
     }
     for (const Entry& entry : map.entries) {
       read_key(entry, kRanges, [&](const KeySpec& spec, std::string key) {

@@ -43,10 +43,22 @@ enum class Spacing {
 [[nodiscard]] double between(double from, double to, double part, double whole,
                              Spacing spacing);
 
-/// How many values a key may have.
-inline constexpr Interval kCounts{1, static_cast<double>(kMaxScenes)};
-inline constexpr std::string_view kExpectedCount =
-    "an integer, from 1 to 10 million";
+inline constexpr std::string_view kExpectedRanges =
+    "a map of the keys that are random, each with from and to";
+
+/// A key of the problem whose numbers may name quantities.
+[[nodiscard]] KeySpec as_swept(const KeySpec& spec);
+
+/// A map of two ends, their spacing and, if it is counted, the number of values
+/// from one to the other; the far end may then be left out.
+[[nodiscard]] KeySpec range_of(const KeySpec& spec, bool counted);
+
+/// Whether a key has real numbers, which may be random.
+[[nodiscard]] bool is_real(const KeySpec& spec);
+
+/// What the section may have besides keys of the problem and `zip`: random,
+/// whose ranges are such keys, warm_start, keep.
+[[nodiscard]] const std::vector<KeySpec>& keys_beside_swept();
 
 /// Numbers from one end to the other, both included, or random ones between.
 struct NumberRange {

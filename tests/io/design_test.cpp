@@ -87,7 +87,7 @@ TEST(DesignSection, RefusesWhatIsNoBodyKey) {
   refused(with("{free: [k, k]}"), "repeated");
   refused(with("{free: []}"), "empty list");
   refused(with("{minimise: mass, free: [k]}"), "tau");
-  refused(with("{free: [k], bounds: {k: [0.5]}}"), "1 values were read");
+  refused(with("{free: [k], bounds: {k: [0.5]}}"), "a list of 1 was read");
   refused(with("{free: [k], bounds: {k: [0.5, 0.5]}}"), "no room");
   refused(with("{free: [k], bounds: {k: [-0.1, 0.5]}}"), "from 0 to 1");
   refused(with("{free: [k], bounds: {eta_m: [0, 0.5]}}"), "not free");
@@ -201,7 +201,11 @@ TEST(BodyParts, MayBeFree) {
   refused(parts + "design: {free: [{part: 4}]}\n", "there is no part 4");
   refused(parts + "design: {free: [{part: 3}]}\n", "is a rod");
   refused(parts + "design: {free: [{part: 1}]}\n", "cannot move");
-  refused(parts + "design: {free: [{part: 1, key: mass}]}\n", "bounds");
+  refused(parts + "design: {free: [{part: 1, key: mass}]}\n", "has bounds");
+  refused(parts + "design: {free: [{part: 2, bounds: [1, 2]}]}\n",
+          "has no bounds but the cylinder");
+  refused(parts + "design: {free: [{part: 2}, {part: 2, key: at}]}\n",
+          "free already");
   refused(parts + "design: {free: [k]}\n", "parts are free");
   refused(with("{free: [{part: 1}]}"), "there is no part 1");
 }

@@ -264,7 +264,7 @@ TEST(KeyTable, IsComplete) {
               number || spec.type() == KeyType::Choice ||
                   spec.type() == KeyType::Text)
         << spec.path;
-    EXPECT_EQ(spec.value.read_list != nullptr, spec.type() == KeyType::List)
+    EXPECT_EQ(spec.value.put_list != nullptr, spec.type() == KeyType::List)
         << spec.path;
     EXPECT_EQ(spec.value.words.empty(), spec.type() != KeyType::Choice)
         << spec.path;

@@ -106,8 +106,8 @@ TEST(WorkPrecisionSection, MethodsAreWordsOrNamedLists) {
             "p.yaml:2:28: work_precision.methods: a list was read; " +
                 kExpectedMethods);
   EXPECT_EQ(errors(with("{methods: [{extremal: [1]}]}")),
-            "p.yaml:2:29: work_precision.methods.extremal: extremal has no "
-            "list; expected extremal alone");
+            "p.yaml:2:29: work_precision.methods: \"extremal\" was read; " +
+                kExpectedMethods);
 }
 
 TEST(WorkPrecisionSection, DegreesAndArmsAreThoseThereAre) {
@@ -142,7 +142,7 @@ TEST(WorkPrecisionSection, NothingIsRunTwice) {
       "p.yaml:2:50: work_precision.methods.rolling_time: \"2\" is repeated; " +
           kExpectedDegrees + ", each once");
   EXPECT_EQ(errors(with("{meshes: [10, 20, 10]}")),
-            "p.yaml:2:35: work_precision.meshes: 10 is repeated; " +
+            "p.yaml:2:35: work_precision.meshes: \"10\" is repeated; " +
                 kExpectedMeshes + ", each once");
 }
 
@@ -169,7 +169,7 @@ TEST(WorkPrecisionSection, TolerancesAreNumbersWithinBoundsFromCoarseToFine) {
             "allowed; " +
                 expected);
   EXPECT_EQ(errors(with("{tolerances: [1e-4, 1e-4]}")),
-            "p.yaml:2:37: work_precision.tolerances: 0.0001 is repeated; " +
+            "p.yaml:2:37: work_precision.tolerances: \"1e-4\" is repeated; " +
                 expected + ", each once");
 }
 

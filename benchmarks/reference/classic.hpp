@@ -15,6 +15,7 @@
 
 #include "brachisto/ocp.hpp"
 #include "program_files/stated_formulas.hpp"
+#include "reference/enclosures.hpp"
 
 namespace brachisto::benchmarks {
 
@@ -33,6 +34,8 @@ struct Classic {
     double value;
   };
   std::optional<Second> second = {};
+  /// Of the closed form, where there is one; proven.
+  std::optional<Enclosure> enclosure = {};
   struct Literature {
     std::string source;
     double value;

@@ -132,7 +132,7 @@ Classic robot() {
   return out;
 }
 
-Classic shuttle() {
+Classic cross_range() {
   constexpr double kDegree = std::numbers::pi / 180.0;
   Classic out = classic(
       "max θ(T) of Betts' lifting vehicle, h, θ, v, γ, ψ steered by α and β, "
@@ -181,6 +181,7 @@ Classic shuttle() {
        .duration = {.lower = 1.0, .upper = 40.0, .guess = 20.0},
        .time_unit = "100 s"});
   out.factor = -1.0 / kDegree;
+  out.second = {"shooting", shuttle()};
   out.literature = {"Betts, 2010, Section 6.1", 34.1412};
   out.by.elements = 20;
   return out;
@@ -233,7 +234,7 @@ std::vector<Classic> machines() {
   out.back().literature = {"COPS, 100 intervals", -0.0480556};
 
   out.push_back(robot());
-  out.push_back(shuttle());
+  out.push_back(cross_range());
   return out;
 }
 

@@ -7,9 +7,11 @@
 #include <array>
 #include <boost/numeric/odeint.hpp>
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
+
+#include "support/closed_forms.hpp"
 
 namespace brachisto::benchmarks {
 
@@ -17,16 +19,6 @@ namespace {
 
 using Real = long double;
 constexpr Real kPi = std::numbers::pi_v<Real>;
-
-/// Where a function that ascends or descends vanishes.
-Real root(const std::function<Real(Real)>& f, Real low, Real high) {
-  const bool ascends = f(high) > 0.0L;
-  for (int i = 0; i < 80; ++i) {
-    const Real middle = 0.5L * (low + high);
-    ((f(middle) > 0.0L) == ascends ? high : low) = middle;
-  }
-  return 0.5L * (low + high);
-}
 
 template <std::size_t Size>
 using State = std::array<Real, Size>;
@@ -86,76 +78,57 @@ State<Size> integrated_by_phases(State<Size> y, Real duration, Rates&& rates,
   return y;
 }
 
-/// Newton's method for two unknowns, by differences.
-template <class Residual>
-State<2> two_roots(State<2> x, Residual&& residual) {
-  constexpr Real kStep = 1e-8L, kGood = 1e-15L;
+/// Newton's method by differences.
+///
+/// \param sizes  of the unknowns, for the differences
+template <std::size_t Size, class Residual>
+State<Size> roots(State<Size> x, const State<Size>& sizes,
+                  Residual&& residual) {
+  constexpr Real kStep = 1e-8L, kGood = 1e-15L, kEnough = 1e-12L;
+  Real last = 0.0L;
   for (int i = 0; i < 30; ++i) {
-    const State<2> r = residual(x);
-    if (std::max(std::abs(r[0]), std::abs(r[1])) < kGood) return x;
-    Real J[2][2];
-    for (std::size_t k = 0; k < 2; ++k) {
-      State<2> up = x, down = x;
-      up[k] += kStep, down[k] -= kStep;
-      const State<2> a = residual(up), b = residual(down);
-      for (std::size_t j = 0; j < 2; ++j) {
-        J[j][k] = (a[j] - b[j]) / (2.0L * kStep);
+    State<Size> r = residual(x);
+    last = 0.0L;
+    for (const Real one : r) last = std::max(last, std::abs(one));
+    if (last < kGood) return x;
+    std::array<State<Size>, Size> J;
+    for (std::size_t k = 0; k < Size; ++k) {
+      State<Size> up = x, down = x;
+      up[k] += kStep * sizes[k], down[k] -= kStep * sizes[k];
+      const State<Size> a = residual(up), b = residual(down);
+      for (std::size_t j = 0; j < Size; ++j) {
+        J[j][k] = (a[j] - b[j]) / (2.0L * kStep * sizes[k]);
       }
     }
-    const Real det = J[0][0] * J[1][1] - J[0][1] * J[1][0];
-    x[0] -= (r[0] * J[1][1] - r[1] * J[0][1]) / det;
-    x[1] -= (r[1] * J[0][0] - r[0] * J[1][0]) / det;
+    // Elimination with the largest pivots, then back.
+    for (std::size_t k = 0; k < Size; ++k) {
+      std::size_t pivot = k;
+      for (std::size_t j = k; j < Size; ++j) {
+        if (std::abs(J[j][k]) > std::abs(J[pivot][k])) pivot = j;
+      }
+      std::swap(J[k], J[pivot]), std::swap(r[k], r[pivot]);
+      for (std::size_t j = k + 1; j < Size; ++j) {
+        const Real by = J[j][k] / J[k][k];
+        for (std::size_t l = k; l < Size; ++l) J[j][l] -= by * J[k][l];
+        r[j] -= by * r[k];
+      }
+    }
+    for (std::size_t k = Size; k-- > 0;) {
+      for (std::size_t l = k + 1; l < Size; ++l) r[k] -= J[k][l] * r[l];
+      r[k] /= J[k][k];
+      x[k] -= r[k];
+    }
   }
-  const State<2> r = residual(x);
-  constexpr Real kEnough = 1e-12L;
-  if (std::max(std::abs(r[0]), std::abs(r[1])) < kEnough) return x;
+  if (last < kEnough) return x;
   throw std::runtime_error("shooting has not converged");
 }
 
+template <class Residual>
+State<2> two_roots(const State<2>& x, Residual&& residual) {
+  return roots<2>(x, {1.0L, 1.0L}, residual);
+}
+
 }  // namespace
-
-double cycloid_time(double L) {
-  // x = R (φ − sin φ), y = R (1 − cos φ).
-  const Real phi =
-      root([&](Real p) { return (p - std::sin(p)) - L * (1.0L - std::cos(p)); },
-           0.1L, 2.0L * kPi - 1e-6L);
-  const Real R = 1.0L / (1.0L - std::cos(phi));
-  return static_cast<double>(std::sqrt(R / 0.5L) * phi);
-}
-
-double time_to_line(double g) {
-  return static_cast<double>(std::sqrt(kPi / static_cast<Real>(g)));
-}
-
-double time_along_wall(double g_as_given) {
-  const Real g = g_as_given, slope = 0.5L, offset = 0.1L;
-  // The slope of a cycloid is cot(φ/2).
-  const Real phi = 2.0L * std::atan(1.0L / slope);
-  const Real x = phi - std::sin(phi), y = 1.0L - std::cos(phi);
-  const Real first = offset / (y - slope * x);
-  // From a place of the same slope to the horizontal at x = 1.
-  const Real rest = kPi - phi + std::sin(phi);
-  const Real second = (offset + slope) / (y + slope * rest);
-  const Real from = first * y, to = second * y;
-  const Real sine = slope / std::hypot(1.0L, slope);
-  const auto speed = [&](Real depth) { return std::sqrt(2.0L * g * depth); };
-  return static_cast<double>(std::sqrt(first / g) * phi +
-                             (speed(to) - speed(from)) / (g * sine) +
-                             std::sqrt(second / g) * (kPi - phi));
-}
-
-double hanging_chain() {
-  const Real a = root(
-      [](Real s) { return 2.0L * s * std::sinh(0.5L / s) - std::sqrt(12.0L); },
-      0.05L, 10.0L);
-  const Real b = 0.5L - a * std::atanh(0.5L);
-  const Real c = 1.0L - a * std::cosh(b / a);
-  return static_cast<double>(
-      0.5L * a +
-      0.25L * a * a *
-          (std::sinh(2.0L * (1.0L - b) / a) + std::sinh(2.0L * b / a)) +
-      4.0L * c);
-}
 
 double van_der_pol() {
   // p' = −∂𝓗/∂x, u = −p₁/2 within its bounds, from p(5) = 0.
@@ -235,8 +208,16 @@ double catalyst() {
   // A saddle or a minimum: the sum is least along the first switch.
   State<2> t{0.1363L, 0.7247L};
   for (int i = 0; i < 60; ++i) {
-    t[0] = root([&](Real s) { return slope({s, t[1]}, 0); }, 0.1L, 0.2L);
-    t[1] = root([&](Real s) { return slope({t[0], s}, 1); }, 0.6L, 0.8L);
+    t[0] = testing::bisected(
+        [&](Real s) {
+          return slope({s, t[1]}, 0);
+        },
+        0.1L, 0.2L);
+    t[1] = testing::bisected(
+        [&](Real s) {
+          return slope({t[0], s}, 1);
+        },
+        0.6L, 0.8L);
   }
   return static_cast<double>(remaining(t) - 1.0L);
 }
@@ -274,6 +255,79 @@ double robot_arm() {
     return State<2>{y[1], y[2] - kPi / 3.0L};
   });
   return static_cast<double>(solved[0]);
+}
+
+double shuttle() {
+  // Feet, seconds, radians; α in degrees. 𝓗 is least in α and β where the lift
+  // points against (p_γ, p_ψ/cos γ), and α balances it with the drag.
+  constexpr Real kEarth = 20902900.0L, kMu = 0.14076539e17L;
+  constexpr Real kHalfArea = 0.5L * 0.002378L * 2690.0L / (203000.0L / 32.174L);
+  constexpr Real kScale = 23800.0L, kDegree = kPi / 180.0L;
+  constexpr Real kDrag[]{0.07854L, -0.0061592L, 0.000621408L};
+  constexpr Real kLift[]{-0.20704L, 0.029244L};
+  using Y = State<10>;
+  struct At {
+    Y slope;
+    Real hamiltonian;
+  };
+  const auto at = [&](const Y& y) {
+    const auto& [h, theta, v, gamma, psi, ph, pt, pv, pg, pp] = y;
+    const Real r = h + kEarth, g = kMu / (r * r);
+    const Real cg = std::cos(gamma), sg = std::sin(gamma);
+    const Real cp = std::cos(psi), sp = std::sin(psi), tt = std::tan(theta);
+    const Real q = kHalfArea * std::exp(-h / kScale) * v * v;
+    const Real across = std::hypot(pg, pp / cg);
+    const Real cb = -pg / across, sb = -pp / cg / across;
+    // −p_v (d₁ + 2 d₂ α) = l₁ |(p_γ, p_ψ/cos γ)|/v
+    const Real alpha =
+        (-kLift[1] * across / (v * pv) - kDrag[1]) / (2.0L * kDrag[2]);
+    const Real D = q * (kDrag[0] + alpha * (kDrag[1] + alpha * kDrag[2]));
+    const Real L = q * (kLift[0] + alpha * kLift[1]);
+    const Y f{v * sg, v / r * cg * cp, -D - g * sg,
+              L * cb / v + cg * (v / r - g / v),
+              L * sb / (v * cg) + v / r * cg * sp * tt};
+    At out{f, ph * f[0] + pt * f[1] + pv * f[2] + pg * f[3] + pp * f[4]};
+    out.slope[5] =
+        -(-pt * v / (r * r) * cg * cp + pv * (D / kScale + 2.0L * g / r * sg) +
+          pg * (-L * cb / (v * kScale) +
+                cg * (-v / (r * r) + 2.0L * g / (r * v))) -
+          pp * (L * sb / (v * cg * kScale) + v / (r * r) * cg * sp * tt));
+    out.slope[6] = -pp * v / r * cg * sp * (1.0L + tt * tt);
+    out.slope[7] = -(ph * sg + pt * cg * cp / r - pv * 2.0L * D / v +
+                     pg * (L * cb / (v * v) + cg * (1.0L / r + g / (v * v))) +
+                     pp * (L * sb / (v * v * cg) + cg * sp * tt / r));
+    out.slope[8] = -(ph * v * cg - pt * v / r * sg * cp - pv * g * cg -
+                     pg * sg * (v / r - g / v) +
+                     pp * (L * sb * sg / (v * cg * cg) - v / r * sg * sp * tt));
+    out.slope[9] = v / r * cg * (pt * sp - pp * cp * tt);
+    return out;
+  };
+  // Costates at the start, of −θ(T), and T.
+  const auto end = [&](const State<6>& x) {
+    constexpr int kSteps = 500;
+    boost::numeric::odeint::runge_kutta_fehlberg78<Y, Real> stepper;
+    Y y{260000.0L, 0.0L, 25600.0L, -kDegree, 90.0L * kDegree,
+        x[0],      x[1], x[2],     x[3],     x[4]};
+    for (int i = 0; i < kSteps; ++i) {
+      stepper.do_step(
+          [&](const Y& here, Y& slope, Real) { slope = at(here).slope; }, y,
+          0.0L, x[5] / kSteps);
+    }
+    return y;
+  };
+  const State<6> x = roots<6>({-0.0080327e-5L, -0.2535L, -0.741297e-4L,
+                               -0.270619L, 0.967335L, 2008.588L},
+                              {1e-7L, 1.0L, 1e-4L, 1.0L, 1.0L, 1e3L},
+                              [&](const State<6>& unknown) {
+                                const Y y = end(unknown);
+                                return State<6>{y[0] / 80000.0L - 1.0L,
+                                                y[2] / 2500.0L - 1.0L,
+                                                y[3] + 5.0L * kDegree,
+                                                y[6] + 1.0L,
+                                                y[9],
+                                                at(y).hamiltonian * 1e3L};
+                              });
+  return static_cast<double>(end(x)[1] / kDegree);
 }
 
 }  // namespace brachisto::benchmarks

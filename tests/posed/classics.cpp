@@ -11,9 +11,13 @@
 #include <string>
 
 #include "brachisto/ocp.hpp"
+#include "support/classics.hpp"
+#include "support/closed_forms.hpp"
 
 namespace brachisto::ocp {
 namespace {
+
+using namespace testing;
 
 /// Solved and verified, and the cost as near to the closed form as is said.
 template <class Formulas>
@@ -26,24 +30,6 @@ Answer expect_cost(const Problem<Formulas>& problem, double exact,
   EXPECT_NEAR(answer.cost, exact, answer.estimated_error + rounding);
   EXPECT_LE(answer.estimated_error, by.tolerance * std::max(1.0, exact) * 10.0);
   return answer;
-}
-
-struct Cart : Sizes<2, 1> {
-  bool effort = false;
-  template <class S>
-  [[nodiscard]] Rates<S> rates(const Point<S>& at) const {
-    const S& u = at.controls[0];
-    return {effort ? u * u * 0.5 : S(1.0), {at.states[1], u}};
-  }
-};
-
-Statement cart(double strongest_brake, double strongest_push) {
-  return {.name = "cart",
-          .states = {{.name = "s", .start = 0.0, .end = 1.0},
-                     {.name = "v", .start = 0.0, .end = 0.0}},
-          .controls = {{.name = "push",
-                        .lower = -strongest_brake,
-                        .upper = strongest_push}}};
 }
 
 /// Pushed by 2 and braked by 1: v² (1/4 + 1/2) = 1 at the switch, which is
@@ -77,33 +63,11 @@ TEST(Posed, TheLeastEffortOfACartIsSix) {
   EXPECT_NEAR(answer.at(0.25).costates[0], -12.0, 1e-9);
 }
 
-/// The push as a difference of two, whose sum costs.
-struct Fuel : Sizes<2, 2> {
-  template <class S>
-  [[nodiscard]] Rates<S> rates(const Point<S>& at) const {
-    const auto& [push, brake] = at.controls;
-    return {push + brake, {at.states[1], push - brake}};
-  }
-};
-
 /// In the time 3: v (3 − v) = 1, pushed and braked for v each.
 TEST(Posed, TheLeastFuelOfACartCoasts) {
-  Statement statement = cart(0.0, 1.0);
-  statement.controls = {{.name = "push", .lower = 0.0, .upper = 1.0},
-                        {.name = "brake", .lower = 0.0, .upper = 1.0}};
-  statement.duration = Duration::fixed(3.0);
-  const Problem problem(Fuel{}, statement);
+  const Problem problem(Fuel{}, least_fuel());
 
   expect_cost(problem, 3.0 - std::sqrt(5.0));
-}
-
-/// Bryson and Denham (1963): x ≤ l is kept by the cost 4/(9 l) for l ≤ 1/6.
-Statement out_and_back(double wall) {
-  Statement statement = cart(kNoBound, kNoBound);
-  statement.states = {{.name = "x", .upper = wall, .start = 0.0, .end = 0.0},
-                      {.name = "v", .start = 1.0, .end = -1.0}};
-  statement.duration = Duration::fixed(1.0);
-  return statement;
 }
 
 TEST(Posed, BrysonAndDenhamKeepOff) {
@@ -166,110 +130,23 @@ TEST(Posed, BrysonAndDenhamKnowWhereTheyTouch) {
   EXPECT_NEAR(answer.junctions[1], 2.0 / 3.0, 1e-8);
 }
 
-/// x' = v cos β, z' = v sin β, v' = g sin β, g = 1/2.
-struct Bead : Sizes<3, 1> {
-  template <class S>
-  [[nodiscard]] Rates<S> rates(const Point<S>& at) const {
-    const S& v = at.states[2];
-    const S c = cos(at.controls[0]), s = sin(at.controls[0]);
-    return {S(1.0), {v * c, v * s, s * 0.5}};
-  }
-};
-
-/// The cycloid with the ends 3 apart and 1 below each other.
 TEST(Posed, TheFastestBeadRunsOnACycloid) {
-  const Problem problem(
-      Bead{}, {.name = "bead",
-               .states = {{.name = "x", .start = 0.0, .end = 3.0},
-                          {.name = "z", .start = 0.0, .end = 1.0},
-                          {.name = "v",
-                           .lower = 0.0,
-                           .start = 0.0,
-                           .guess = [](double t) { return std::sqrt(t); }}},
-               .controls = {{.name = "slope",
-                             .lower = -2.0,
-                             .upper = 2.0,
-                             .guess = [](double t) { return 1.5 - 2.0 * t; }}},
-               .duration = {.guess = 4.0}});
+  const Problem problem(Bead{{}, 0.5}, bead_to_point());
 
-  expect_cost(problem, 4.510563136746752);
+  expect_cost(problem, cycloid_time_to(3.0));
 }
 
-/// The speed, the slope and the way below a wall z = x/2 + 1/10, to x = 1 with
-/// g = 1.
-struct Walled : Sizes<3, 1> {
-  template <class S>
-  [[nodiscard]] Rates<S> rates(const Point<S>& at) const {
-    const S& v = at.states[2];
-    const S c = cos(at.controls[0]), s = sin(at.controls[0]);
-    return {S(1.0), {v * c, v * (s - c * 0.5), s}};
-  }
-};
-
-/// Cycloids have the slope cot(φ/2): one to the wall, a slide, one from it to
-/// the horizontal at x = 1.
 TEST(Posed, ABeadSlidesAlongAWall) {
-  const double phi = 2.0 * std::atan(2.0);
-  const double x = phi - std::sin(phi), z = 1.0 - std::cos(phi);
-  const double first = 0.1 / (z - 0.5 * x);
-  const double rest = M_PI - phi + std::sin(phi);
-  const double second = 0.6 / (z + 0.5 * rest);
-  const double exact =
-      std::sqrt(first) * phi + std::sqrt(second) * (M_PI - phi) +
-      (std::sqrt(2.0 * second * z) - std::sqrt(2.0 * first * z)) *
-          std::sqrt(5.0);
-  const Problem problem(
-      Walled{},
-      {.name = "walled bead",
-       .states = {{.name = "x", .start = 0.0, .end = 1.0},
-                  {.name = "below", .upper = 0.1, .start = 0.0},
-                  {.name = "v",
-                   .lower = 0.0,
-                   .start = 0.0,
-                   .guess = [](double t) { return std::sqrt(t); }}},
-       .controls = {{.name = "slope",
-                     .lower = -1.5707963,
-                     .upper = 1.5707963268,
-                     .guess = [](double t) { return 1.4 * (1.0 - t); }}},
-       .duration = {.guess = 2.0}});
+  const Problem problem(BeadBesideWall{{}, 1.0}, bead_beside_wall(1.0, 2.0));
 
   for (const double tolerance : {1e-6, 1e-10}) {
-    expect_cost(problem, exact, {.tolerance = tolerance});
+    expect_cost(problem, static_cast<double>(time_along_wall<long double>(1.0)),
+                {.tolerance = tolerance});
   }
 }
 
-/// ∫ x ds of a chain of given length.
-struct Chain : Sizes<2, 1> {
-  template <class S>
-  [[nodiscard]] Rates<S> rates(const Point<S>& at) const {
-    const S& u = at.controls[0];
-    const S along = sqrt(u * u + 1.0);
-    return {at.states[0] * along, {u, along}};
-  }
-};
-
-/// x = a cosh((t − b)/a) + c through (0, 1) and (1, 3) with the length 4.
 TEST(Posed, AHangingChainIsACatenary) {
-  double low = 0.01, high = 10.0;
-  for (int i = 0; i < 200; ++i) {
-    const double a = 0.5 * (low + high);
-    (2.0 * a * std::sinh(0.5 / a) > std::sqrt(12.0) ? low : high) = a;
-  }
-  const double a = low, b = 0.5 - a * std::atanh(0.5);
-  const double c = 1.0 - a * std::cosh(b / a);
-  const double exact =
-      0.5 * a +
-      0.25 * a * a * (std::sinh(2.0 * (1.0 - b) / a) + std::sinh(2.0 * b / a)) +
-      4.0 * c;
-  const Problem problem(
-      Chain{}, {.name = "chain",
-                .states = {{.name = "x", .start = 1.0, .end = 3.0},
-                           {.name = "length", .start = 0.0, .end = 4.0}},
-                .controls = {{.name = "slope",
-                              .guess = [](double t) { return 8.0 * t - 3.0; }}},
-                .duration = Duration::fixed(1.0)});
-
-  expect_cost(problem, exact);
+  expect_cost(Problem(Chain{}, chain()), hanging_chain());
 }
 
 struct Drift : Sizes<1, 1, 1> {

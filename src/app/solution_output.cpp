@@ -14,7 +14,7 @@
 #include <utility>
 
 #include "app/exit_code.hpp"
-#include "app/proof_of_answer.hpp"
+#include "app/proofs.hpp"
 #include "app/signals.hpp"
 #include "app/terminal.hpp"
 #include "brachisto/math/clock.hpp"

@@ -14,7 +14,7 @@
 
 #include "app/build_flags.hpp"
 #include "app/exit_code.hpp"
-#include "app/proof_of_answer.hpp"
+#include "app/proofs.hpp"
 #include "app/signals.hpp"
 #include "app/solution_output.hpp"
 #include "app/solve_progress.hpp"
@@ -46,10 +46,10 @@ int run(const SolveFlags& flags) {
     overrides.push_back("solver.certify=" + flags.certify);
   }
   const io::ProblemFile problem = io::read_problem_file(flags.file, overrides);
-  const bool proves = asks_for_proof(problem.options);
-  if (const std::string why = no_proofs_because(); proves && !why.empty()) {
-    tell_error(fmt::format("brachisto: solver.certify: {}\n", why));
-    return kUsage;
+  const auto* program = problem.options.of<Collocation>();
+  const bool proves = program != nullptr && program->certify == Certify::Proof;
+  if (proves) {
+    if (const auto code = become_prover()) return *code;
   }
   if (!flags.out.empty()) {
     report::check_writable(flags.out, solution_files(), flags.force);
@@ -71,10 +71,9 @@ int run(const SolveFlags& flags) {
       tell(fmt::format("brachisto: to be solved: {}\n", in_words(*size)));
     }
   }
-  Solution solution = solve_in_time(problem, flags.json,
-                                    {.interrupt = &signal,
-                                     .verbose = flags.verbose,
-                                     .progress = hook});
+  Solution solution = solve_in_time(
+      problem, flags.json,
+      {.interrupt = &signal, .verbose = flags.verbose, .progress = hook});
   std::vector<report::OutputFile> proof;
   if (proves) {
     const StopCondition stop(

@@ -10,6 +10,9 @@ install(TARGETS brachisto
   ARCHIVE COMPONENT development
   FILE_SET HEADERS COMPONENT development)
 install(TARGETS brachisto_app)
+if(TARGET brachisto_prove)
+  install(TARGETS brachisto_prove DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/brachisto)
+endif()
 install(EXPORT brachistoTargets NAMESPACE brachisto::
   DESTINATION ${package_dir} COMPONENT development)
 

@@ -15,6 +15,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "brachisto/study/design.hpp"
 #include "brachisto/study/solve.hpp"
@@ -46,6 +47,9 @@ inline constexpr std::string_view kBranchMargin = kMargins.front();
 inline constexpr std::size_t kGripMargin = kMargins.size() - 1;
 using Margins = Eigen::Vector<double, kMargins.size()>;
 
+/// The first of them.
+/// \param contact_response  see Sensitivities
+[[nodiscard]] double branch_margin(double contact_response);
 /// \param contact_response  see Sensitivities
 /// \param max_grip          if there is none, its margin is 1
 [[nodiscard]] Margins margins_of(const Solution& solution,
@@ -62,7 +66,9 @@ enum class Follow {
 };
 
 /// Solves a scene for one body after the other, and stays on one branch: what
-/// cannot be followed is refused.
+/// cannot be followed is refused. Lanes solve what they can, which is all on
+/// the principal branch; from where a body had to be followed from its
+/// neighbour on, the others are followed from theirs.
 class ClosedTimes {
  public:
   /// \param options    of every solve; their limit of time, which begins now,
@@ -74,21 +80,28 @@ class ClosedTimes {
               const std::atomic<int>* interrupt);
 
   /// Moves to a body. False if it is refused: refusal() says why.
+  /// \param wanted  nonzero for those traits that τ is to have derivatives by
   /// \throws Stopped  if a limit of time or the interrupt ends its solve
-  [[nodiscard]] bool move_to(const Traits& traits);
+  [[nodiscard]] bool move_to(const Traits& traits, const Traits& wanted);
   /// Bodies that come are followed from here.
   void hold_on();
   /// Solves with other options from now on.
   void use(const SolveOptions& options);
-  /// Forgets what it holds on to: the next body is solved from the cycloid, and
-  /// those after it as is said.
+  /// Forgets what it holds on to, but for what is on the principal branch as
+  /// lanes are: the next body is solved from the cycloid, and those after it as
+  /// is said.
   void begin(Follow follow) {
     follow_ = follow;
     held_.reset();
+    if (follow == Follow::Principal) held_in_lanes_.reset();
+    followed_ = held_followed_ = false;
   }
 
   [[nodiscard]] const Solution& solution() const { return solution_; }
   [[nodiscard]] double tau() const { return solution_.motion()->tau(); }
+  [[nodiscard]] double branch_margin() const {
+    return brachisto::branch_margin(contact_response_);
+  }
   [[nodiscard]] Margins margins() const {
     return margins_of(solution_, contact_response_, max_grip_);
   }
@@ -108,7 +121,19 @@ class ClosedTimes {
   [[nodiscard]] double cpu_seconds() const { return cpu_seconds_; }
 
  private:
-  [[nodiscard]] Solution solved(const Body& body, const Neighbour* neighbour);
+  /// A solution, and whether it was followed from its neighbour.
+  struct Solved {
+    Solution solution;
+    bool followed = false;
+  };
+  [[nodiscard]] Solved solved(const Body& body, const Neighbour* neighbour);
+  /// In lanes, as far as they can.
+  [[nodiscard]] std::vector<std::optional<Solution>> in_lanes(
+      const std::vector<Scene>& scenes, const Solution* beside);
+  [[nodiscard]] Scene scene_of(const Traits& traits, const Body& like) const;
+  /// The margins of bodies next to this one; nothing where there are none.
+  [[nodiscard]] std::vector<std::optional<Margins>> margins_at(
+      const std::vector<Traits>& places);
 
   Scene scene_;
   SolveOptions options_;
@@ -121,6 +146,8 @@ class ClosedTimes {
   double contact_response_ = 0.0;
   Follow follow_ = Follow::Neighbours;
   std::shared_ptr<const Neighbour> held_;
+  std::shared_ptr<const Solution> held_in_lanes_;
+  bool followed_ = false, held_followed_ = false;
   std::string refusal_;
   int solves_ = 0;
   double cpu_seconds_ = 0.0;

@@ -105,7 +105,7 @@ bool DesignProblem::do_set_point(std::span<const double> x) {
   y_ = Eigen::Map<const Eigen::VectorXd>(x.data(), num_variables());
   gradient_.reset();
   margin_rows_.reset();
-  if (times_.move_to(space_.traits(y_))) {
+  if (times_.move_to(space_.traits(y_), space_.moved_traits(y_))) {
     refused_in_a_row_ = 0;
     return true;
   }
@@ -120,10 +120,6 @@ bool DesignProblem::do_set_point(std::span<const double> x) {
   return false;
 }
 
-Traits DesignProblem::wanted_traits() const {
-  return space_.traits_jacobian(y_).cwiseAbs().rowwise().sum();
-}
-
 void DesignProblem::do_eval_grad_f(std::span<double> grad_f) const {
   if (!gradient_) {
     times_.hold_on();
@@ -135,7 +131,7 @@ void DesignProblem::do_eval_grad_f(std::span<double> grad_f) const {
 }
 
 void DesignProblem::note_place() const {
-  const double of_branch = times_.margins()[0];
+  const double of_branch = times_.branch_margin();
   if (of_branch < kLeastOfBranch || of_branch > kMostOfBranch) return;
   last_on_branch_ = y_;
   // Bounds of several coordinates together need not hold on the way.
@@ -164,9 +160,9 @@ void DesignProblem::do_eval_jac_g(std::span<double> values) const {
   rows.topRows(num_own) = space_.row_jacobian(y_);
   if (num_margins_ > 0) {
     if (!margin_rows_) {
-      margin_rows_ =
-          times_.margin_gradient(wanted_traits()).topRows(num_margins_) *
-          space_.traits_jacobian(y_);
+      margin_rows_ = times_.margin_gradient(space_.moved_traits(y_))
+                         .topRows(num_margins_) *
+                     space_.traits_jacobian(y_);
     }
     rows.bottomRows(num_margins_) = *margin_rows_;
   }

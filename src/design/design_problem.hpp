@@ -96,7 +96,6 @@ class DesignProblem final : public nlp::Problem {
   void do_eval_hess_lag(double, std::span<const double>,
                         std::span<double>) const override {}
 
-  [[nodiscard]] Traits wanted_traits() const;
   /// How a margin that holds is told: the bound, and d(margin)/d(bound) where
   /// that is a number of the plan.
   [[nodiscard]] DesignSpace::Stated stated_margin(std::size_t margin,

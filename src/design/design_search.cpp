@@ -100,6 +100,10 @@ class Searcher {
     }
   }
 
+  [[nodiscard]] bool move_to(const Eigen::VectorXd& y) {
+    return times_.move_to(space_->traits(y), space_->moved_traits(y));
+  }
+
   /// A start, drawn towards the axis if the branch of the cycloid, which begins
   /// there, does not reach it.
   [[nodiscard]] Eigen::VectorXd reachable(Eigen::VectorXd y) {
@@ -107,7 +111,10 @@ class Searcher {
     times_.begin(Follow::Neighbours);
     times_.use(on_the_way(options_));
     for (int i = 0; i < kMostSteps; ++i) {
-      if (times_.move_to(space_->traits(y))) break;
+      if (move_to(y)) {
+        times_.hold_on();
+        break;
+      }
       y = space_->nearer_to_the_axis(y);
     }
     return y;
@@ -155,7 +162,7 @@ class Searcher {
 
   /// The quickest body of the last run, told as no minimum.
   std::optional<Judged> take_passed() {
-    if (!passed_ || !times_.move_to(space_->traits(*passed_))) {
+    if (!passed_ || !move_to(*passed_)) {
       return std::nullopt;
     }
     return take(*passed_, {});
@@ -212,7 +219,7 @@ class Searcher {
       out_.message = problem.refusal();
       return std::nullopt;
     }
-    if (keep == Keep::None && !(times_.margins()[0] > 0.0)) {
+    if (keep == Keep::None && !(times_.branch_margin() > 0.0)) {
       // The least τ of tracks that are no minima between their ends.
       out_.message = "it has run over the edge of its branch";
       back_ = problem.last_on_branch();

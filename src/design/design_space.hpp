@@ -58,6 +58,10 @@ class DesignSpace {
   /// ∂(traits)/∂y.
   [[nodiscard]] virtual Eigen::Matrix4Xd traits_jacobian(
       const Eigen::VectorXd& y) const = 0;
+  /// Nonzero for those traits that y moves.
+  [[nodiscard]] Traits moved_traits(const Eigen::VectorXd& y) const {
+    return traits_jacobian(y).cwiseAbs().rowwise().sum();
+  }
   /// c(y), one value per row.
   [[nodiscard]] virtual Eigen::VectorXd row_values(
       const Eigen::VectorXd& y) const = 0;

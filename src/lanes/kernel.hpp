@@ -22,51 +22,67 @@
 
 namespace brachisto::lanes {
 
-/// The most steps from the cycloid to a scene that there is room for.
+/// The most steps on the way to a scene that there is room for.
 inline constexpr int kMostOffsets = kFine.offsets;
 
-/// What is shot for, in natural units.
-struct Target {
+/// A scene as shooting has it, in natural units.
+struct Milestone {
   double eta_m = 0.0, theta_m = 0.0, k = 0.0;
   double contact_radius = 0.0;  ///< by which the centre is off the track
   double rotation_per_length = 0.0;
   double L = 0.0, H = 0.0;
-  std::array<double, kMostOffsets + 1> start_angle{};  ///< on the way
-  double p_x = 0.0, p_z = 0.0, rolling_time = 0.0;     ///< of the cycloid
+  double start_angle = 0.0;
+};
+/// What is shot for, from one that is known.
+struct Target {
+  std::array<Milestone, kMostOffsets + 1> way;  ///< as far as there are steps
+  /// Of the extremal before the first step.
+  std::array<double, Extremal::kUnknowns> unknowns{};
+  double sign = 0.0;  ///< see Extremal; 0: that of the first step
 };
 using Targets = std::array<Target, kLanes>;
 using Extremals = std::array<Extremal, kLanes>;
+using Landings = std::array<Landing, kLanes>;
 
 namespace detail {
 
-template <int Set>
+template <int Set, std::size_t Count>
 class Shooting {
  public:
-  using Number = Lane<Set>;
+  using Number = Lane<Set, Count>;
   using Problem = FallingLanes<Number>;
   using Flow = ocp::Flow<Problem, Number>;
   using State = typename Flow::State;
   using Mask = typename Number::Mask;
-  /// p_x, p_z, p_θ at the start, and U.
-  static constexpr std::size_t kUnknowns = 4;
+  static constexpr std::size_t kUnknowns = Extremal::kUnknowns;
   using Unknowns = std::array<Number, kUnknowns>;
 
   Shooting(const Targets& targets, const Fineness& fineness)
       : targets_(targets), fineness_(fineness) {
     each([&](std::size_t i, const Target& target) {
-      theta_m_.set(i, target.theta_m);
-      k_.set(i, target.k);
-      radius_.set(i, target.contact_radius);
-      turn_.set(i, target.rotation_per_length);
-      L_.set(i, target.L);
-      H_.set(i, target.H);
+      for (std::size_t j = 0; j < kUnknowns; ++j) {
+        by_[j].set(i, target.unknowns[j]);
+      }
+      sign_.set(i, target.sign);
     });
   }
 
   void run(Extremals& out) {
     good_ = Number(1.0) > Number(0.0);
-    follow_offset();
+    follow_way();
     finish(out);
+  }
+  /// Where the unknowns lead at the end of the way.
+  void land(Landings& out) {
+    pass(fineness_.offsets);
+    const Shot shot = shoot<false>(by_, half(), [](auto&&...) {});
+    for (std::size_t lane = 0; lane < Count; ++lane) {
+      for (std::size_t j = 0; j < kUnknowns; ++j) {
+        out[lane].residual[j] = shot.residual[j][lane];
+      }
+      out[lane].transit_time = shot.T[lane];
+      out[lane].beta = shot.beta[lane];
+    }
   }
 
  private:
@@ -75,7 +91,7 @@ class Shooting {
 
   template <class Do>
   void each(Do&& act) const {
-    for (std::size_t i = 0; i < kLanes; ++i) act(i, targets_[i]);
+    for (std::size_t i = 0; i < Count; ++i) act(i, targets_[i]);
   }
 
   /// Equations that a shot has to meet, and what else is known at its end.
@@ -85,14 +101,26 @@ class Shooting {
     State y, rates;
     Number T, beta;
     // Of a shot with derivatives: see Extremal.
+    Unknowns beta_by;
     Number least_jacobian, by_length;
   };
 
-  void set_offset(int step) {
+  void pass(int step) {
     each([&](std::size_t i, const Target& target) {
-      eta_.set(i, target.eta_m * step / fineness_.offsets);
-      start_angle_.set(i, target.start_angle[static_cast<std::size_t>(step)]);
+      const Milestone& at = target.way[static_cast<std::size_t>(step)];
+      eta_.set(i, at.eta_m);
+      theta_m_.set(i, at.theta_m);
+      k_.set(i, at.k);
+      radius_.set(i, at.contact_radius);
+      turn_.set(i, at.rotation_per_length);
+      L_.set(i, at.L);
+      H_.set(i, at.H);
+      start_angle_.set(i, at.start_angle);
     });
+  }
+  /// Steps of shots that are doubled for the error.
+  [[nodiscard]] int half() const {
+    return fineness_.places * fineness_.within / 2;
   }
 
   [[nodiscard]] Flow flow() const {
@@ -213,6 +241,7 @@ class Shooting {
         out.jacobian[1][j] = change[kZ] - radius_ * s * beta;
         out.jacobian[2][j] = change[kPTheta] * turn_;
         out.jacobian[3][j] = change[kPW];
+        out.beta_by[j] = beta;
       }
       out.least_jacobian = jacobi.least;
       out.by_length = second_by_length<Inner>(flow, out, now, c, s);
@@ -263,7 +292,7 @@ class Shooting {
     return largest;
   }
 
-  void follow_offset();
+  void follow_way();
   void finish(Extremals& out);
 
   const Targets& targets_;
@@ -274,21 +303,15 @@ class Shooting {
   Number sign_;
 };
 
-template <int Set>
-void Shooting<Set>::follow_offset() {
+template <int Set, std::size_t Count>
+void Shooting<Set, Count>::follow_way() {
   constexpr double kFarthest = 0.5;  // of a prediction from the branch
   constexpr double kNear = 5e-3;     // the next step would be its square
   constexpr int kMostSteps = 4;
   const auto ignore = [](auto&&...) {};
-  each([&](std::size_t i, const Target& target) {
-    by_[0].set(i, target.p_x);
-    by_[1].set(i, target.p_z);
-    by_[2].set(i, 0.0);
-    by_[3].set(i, target.rolling_time);
-  });
   std::array<Unknowns, 3> past{by_, by_, by_};
   for (int step = 1; step <= fineness_.offsets; ++step) {
-    set_offset(step);
+    pass(step);
     // By the polynomial through the last ones, equally far apart.
     for (std::size_t j = 0; j < kUnknowns; ++j) {
       const Number &a = past[0][j], &b = past[1][j], &c = past[2][j];
@@ -300,7 +323,9 @@ void Shooting<Set>::follow_offset() {
     for (int i = 0; i < kMostSteps && any(moving); ++i) {
       const Shot shot = shoot<true>(by_, fineness_.on_the_way, ignore);
       const auto solved = newton_step(shot.jacobian, shot.residual);
-      if (step == 1 && i == 0) sign_ = solved.sign;
+      if (step == 1 && i == 0) {
+        sign_ = where(Number(sign_ * sign_) > Number(0.0), sign_, solved.sign);
+      }
       const Number far = size(solved.step);
       const auto bad =
           (!(far < Number(kFarthest))) | (!(solved.sign * sign_ > Number(0.0)));
@@ -316,11 +341,11 @@ void Shooting<Set>::follow_offset() {
   }
 }
 
-template <int Set>
-void Shooting<Set>::finish(Extremals& out) {
+template <int Set, std::size_t Count>
+void Shooting<Set, Count>::finish(Extremals& out) {
   constexpr double kClosed = 1e-10;
   constexpr int kMostSteps = 5;
-  const int steps = kSteps * fineness_.within, half = steps / 2;
+  const int half = this->half(), steps = 2 * half;
   const auto ignore = [](auto&&...) {};
   // T to B itself, to the second order of what is missed: p = −∂T/∂(end).
   const auto time_of = [](const Shot& shot, const Unknowns& by) {
@@ -373,7 +398,7 @@ void Shooting<Set>::finish(Extremals& out) {
         for (std::size_t j = 0; j < Flow::kSize; ++j) {
           beta_rate = beta_rate + by_state[j] * rates[j];
         }
-        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        for (std::size_t lane = 0; lane < Count; ++lane) {
           out[lane].path[static_cast<std::size_t>(i / fineness_.within)] = {
               .x = y[kX][lane],
               .z = y[kZ][lane],
@@ -399,30 +424,52 @@ void Shooting<Set>::finish(Extremals& out) {
     mismatch = where(!(abs(missed) < mismatch), abs(missed), mismatch);
   }
   const Number one = where(good_, Number(1.0), Number(0.0));
-  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+  for (std::size_t lane = 0; lane < Count; ++lane) {
     Extremal& found = out[lane];
     found.found = one[lane] > 0.0 && std::isfinite(error[lane]) &&
                   std::isfinite(mismatch[lane]);
     found.transit_time = T[lane];
     found.error_estimate = error[lane];
-    found.rolling_time = by_[3][lane];
     found.phi = last.beta[lane];
-    found.p_x = by_[0][lane];
-    found.p_z = by_[1][lane];
     found.mismatch = mismatch[lane];
     found.min_legendre = least_legendre[lane];
     found.by_length = whole.by_length[lane];
     found.least_jacobian = whole.least_jacobian[lane];
+    found.places = fineness_.places;
+    found.sign = sign_[lane];
+    for (std::size_t i = 0; i < kUnknowns; ++i) {
+      found.unknowns[i] = by_[i][lane];
+      found.beta_by[i] = whole.beta_by[i][lane];
+      for (std::size_t j = 0; j < kUnknowns; ++j) {
+        found.jacobian[i][j] = whole.jacobian[i][j][lane];
+      }
+    }
   }
 }
 
 }  // namespace detail
 
-/// Eight scenes with one set of instructions.
-template <Instructions Set>
-void shoot_eight(const Targets& targets, const Fineness& fineness,
-                 Extremals& out) {
-  detail::Shooting<static_cast<int>(Set)>(targets, fineness).run(out);
+/// The first so many of eight scenes with one set of instructions. Its
+/// functions are not inline: those who call them must not compile them too.
+template <Instructions Set, std::size_t Count = kLanes>
+struct Kernel {
+  static void shoot(const Targets& targets, const Fineness& fineness,
+                    Extremals& out);
+  /// With nothing sought.
+  static void land(const Targets& targets, const Fineness& fineness,
+                   Landings& out);
+};
+
+template <Instructions Set, std::size_t Count>
+void Kernel<Set, Count>::shoot(const Targets& targets, const Fineness& fineness,
+                               Extremals& out) {
+  detail::Shooting<static_cast<int>(Set), Count>(targets, fineness).run(out);
+}
+
+template <Instructions Set, std::size_t Count>
+void Kernel<Set, Count>::land(const Targets& targets, const Fineness& fineness,
+                              Landings& out) {
+  detail::Shooting<static_cast<int>(Set), Count>(targets, fineness).land(out);
 }
 
 }  // namespace brachisto::lanes

@@ -5,7 +5,6 @@
 
 namespace brachisto::lanes {
 
-template void shoot_eight<Instructions::Avx2>(const Targets&, const Fineness&,
-                                              Extremals&);
+template struct Kernel<Instructions::Avx2>;
 
 }  // namespace brachisto::lanes

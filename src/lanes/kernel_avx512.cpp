@@ -5,7 +5,6 @@
 
 namespace brachisto::lanes {
 
-template void shoot_eight<Instructions::Avx512>(const Targets&, const Fineness&,
-                                                Extremals&);
+template struct Kernel<Instructions::Avx512>;
 
 }  // namespace brachisto::lanes

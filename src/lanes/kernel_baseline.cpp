@@ -5,7 +5,7 @@
 
 namespace brachisto::lanes {
 
-template void shoot_eight<Instructions::Baseline>(const Targets&,
-                                                  const Fineness&, Extremals&);
+template struct Kernel<Instructions::Baseline>;
+template struct Kernel<Instructions::Baseline, kFewLanes>;
 
 }  // namespace brachisto::lanes

@@ -17,8 +17,25 @@
 namespace brachisto::lanes {
 
 inline constexpr std::size_t kLanes = 8;
+/// Enough for a scene or two, in registers that every processor has.
+inline constexpr std::size_t kFewLanes = 2;
 
-/// Eight numbers, each treated alike and none looking at its neighbours.
+/// So many numbers, and their bits. (A size that a template tells is one that
+/// g++ 12 forgets.)
+template <std::size_t Count>
+struct Registers;
+template <>
+struct Registers<kLanes> {
+  typedef double Numbers __attribute__((vector_size(kLanes * 8)));
+  typedef std::int64_t Bits __attribute__((vector_size(kLanes * 8)));
+};
+template <>
+struct Registers<kFewLanes> {
+  typedef double Numbers __attribute__((vector_size(kFewLanes * 8)));
+  typedef std::int64_t Bits __attribute__((vector_size(kFewLanes * 8)));
+};
+
+/// Numbers side by side, each treated alike and none looking at its neighbours.
 ///
 /// All operations are those of IEEE 754 in a fixed order, sine and cosine
 /// included, so that the digits are the same on every processor, however many
@@ -26,10 +43,13 @@ inline constexpr std::size_t kLanes = 8;
 ///
 /// \tparam Set  of instructions: code compiled for different ones has different
 ///              names, and the linker cannot take one for the other
-template <int Set>
+/// \tparam Count  of numbers
+template <int Set, std::size_t Count = kLanes>
 struct Lane {
-  typedef double Numbers __attribute__((vector_size(kLanes * 8)));
-  typedef std::int64_t Bits __attribute__((vector_size(kLanes * 8)));
+  using Numbers = typename Registers<Count>::Numbers;
+  using Bits = typename Registers<Count>::Bits;
+
+  static constexpr std::size_t kCount = Count;
 
   using Constant = Lane;  ///< bodies differ: see math::ConstantOf
 
@@ -80,14 +100,14 @@ struct Lane {
   }
   friend bool any(const Mask& mask) {
     std::int64_t bits = 0;
-    for (std::size_t i = 0; i < kLanes; ++i) bits |= mask.bits[i];
+    for (std::size_t i = 0; i < Count; ++i) bits |= mask.bits[i];
     return bits != 0;
   }
   /// The largest absolute value; one that is no number says nothing of the
   /// others.
   friend double magnitude(const Lane& a) {
     double largest = 0.0;
-    for (std::size_t i = 0; i < kLanes; ++i) {
+    for (std::size_t i = 0; i < Count; ++i) {
       const double number = std::abs(a.v[i]);
       if (number > largest) largest = number;
     }
@@ -98,22 +118,24 @@ struct Lane {
   friend Lane sqrt(const Lane& a) {
     Lane out;
 #if defined(__AVX512F__)
+    static_assert(Count == 8);
     // Without a mask g++ 12 warns of its own header.
     out.v = Numbers(_mm512_maskz_sqrt_pd(0xff, __m512d(a.v)));
 #elif defined(__AVX__)
+    static_assert(Count % 4 == 0);
     const auto* from = reinterpret_cast<const double*>(&a.v);
     auto* to = reinterpret_cast<double*>(&out.v);
-    for (std::size_t i = 0; i < kLanes; i += 4) {
+    for (std::size_t i = 0; i < Count; i += 4) {
       _mm256_storeu_pd(to + i, _mm256_sqrt_pd(_mm256_loadu_pd(from + i)));
     }
 #elif defined(__SSE2__)
     const auto* from = reinterpret_cast<const double*>(&a.v);
     auto* to = reinterpret_cast<double*>(&out.v);
-    for (std::size_t i = 0; i < kLanes; i += 2) {
+    for (std::size_t i = 0; i < Count; i += 2) {
       _mm_storeu_pd(to + i, _mm_sqrt_pd(_mm_loadu_pd(from + i)));
     }
 #else
-    for (std::size_t i = 0; i < kLanes; ++i) out.v[i] = std::sqrt(a.v[i]);
+    for (std::size_t i = 0; i < Count; ++i) out.v[i] = std::sqrt(a.v[i]);
 #endif
     return out;
   }

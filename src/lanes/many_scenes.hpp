@@ -29,25 +29,44 @@ struct Place {
   double root = 0.0;       ///< √A
 };
 
-/// Steps of the path that is kept.
-inline constexpr int kSteps = 64;
+/// The most steps of the path that is kept.
+inline constexpr int kMostPlaces = 64;
 
 /// An extremal with smooth contacts, in natural units.
 struct Extremal {
+  static constexpr std::size_t kUnknowns = 4;
+
   /// All that is asked of it holds; without it nothing else has a meaning.
   bool found = false;
   double transit_time = 0.0;  ///< T
   /// Relative, of T: what doubling the steps changed, and rounding.
   double error_estimate = 0.0;
-  double rolling_time = 0.0;  ///< U
   double phi = 0.0;           ///< slope angle at B [rad]
-  double p_x = 0.0, p_z = 0.0;
   double mismatch = 0.0;      ///< largest residual of the shooting
   double min_legendre = 0.0;  ///< of ∂²𝓗/∂β²
   /// ∂²T/∂S² of the least time to B by paths of given length, and the least
   /// Jacobi determinant as a share of its size: a minimum has both positive.
   double by_length = 0.0, least_jacobian = 0.0;
-  std::array<Place, kSteps + 1> path;  ///< at u = i U/kSteps
+  int places = 0;                           ///< steps of the path
+  std::array<Place, kMostPlaces + 1> path;  ///< at u = i U/places
+  /// p_x, p_z, p_θ at the start, and U.
+  std::array<double, kUnknowns> unknowns{};
+  /// How a shot answers to them: the residual, by rows, and the slope at B.
+  std::array<std::array<double, kUnknowns>, kUnknowns> jacobian{};
+  std::array<double, kUnknowns> beta_by{};
+  /// Of that matrix' determinant, the same all along a branch.
+  double sign = 0.0;
+
+  [[nodiscard]] double p_x() const { return unknowns[0]; }
+  [[nodiscard]] double p_z() const { return unknowns[1]; }
+  [[nodiscard]] double rolling_time() const { return unknowns[3]; }
+};
+
+/// Where a shot of some unknowns has led.
+struct Landing {
+  /// The centre off its place above B by x and z, p_θ r, and p_w.
+  std::array<double, Extremal::kUnknowns> residual{};
+  double transit_time = 0.0, beta = 0.0;
 };
 
 /// Whether such a scene is one of those that are solved side by side: an
@@ -64,15 +83,30 @@ enum class Instructions { Baseline, Avx2, Avx512 };
 struct Fineness {
   int offsets;     ///< from the cycloid to η_m in so many equal steps
   int on_the_way;  ///< steps of the integration there
-  int within;      ///< and for each step of the path that is kept, at the end
+  int places;      ///< steps of the path that is kept, at the end
+  int within;      ///< and of the integration for each of them
 };
 /// Enough for three scenes of four, and for most of the others.
-inline constexpr Fineness kPlain{8, 10, 1}, kFine{16, 20, 2};
+inline constexpr Fineness kPlain{8, 10, kMostPlaces, 1},
+    kFine{16, 20, kMostPlaces, 2};
 
 /// The principal extremal of each scene.
 /// \pre fits() and validate() is empty of all
 [[nodiscard]] std::vector<Extremal> shoot(
     std::span<const Scene> scenes, const Fineness& fineness = kPlain,
+    Instructions instructions = best_instructions());
+
+/// The extremal of each scene that continues a known one.
+/// \param from   its scene
+/// \pre besides, both have the same kind of contacts
+[[nodiscard]] std::vector<Extremal> shoot_beside(
+    std::span<const Scene> scenes, const Scene& from, const Extremal& known,
+    const Fineness& fineness, Instructions instructions = best_instructions());
+
+/// Shots with the unknowns of an extremal, at half its steps, for scenes of its
+/// own natural units.
+[[nodiscard]] std::vector<Landing> land(
+    std::span<const Scene> natural, const Extremal& extremal,
     Instructions instructions = best_instructions());
 
 }  // namespace brachisto::lanes

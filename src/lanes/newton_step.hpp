@@ -26,7 +26,7 @@ template <class Number, std::size_t Size>
     const std::array<std::array<Number, Size>, Size>& jacobian,
     const std::array<Number, Size>& residual) {
   NewtonStep<Number, Size> out;
-  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+  for (std::size_t lane = 0; lane < Number::kCount; ++lane) {
     double rows[Size][Size + 1];
     for (std::size_t i = 0; i < Size; ++i) {
       for (std::size_t j = 0; j < Size; ++j) {

@@ -107,11 +107,10 @@ class Flow {
     if (!(magnitude(control) < kInfinity)) return false;
     at.control = control;
     const PointOf<Problem, Scalar> here = point(y, control);
-    const auto yu = as_variables<Jet>(here);
     if constexpr (requires { problem_.template jets<Jet>(here); }) {
       at.rates = problem_.template jets<Jet>(here);
     } else {
-      at.rates = problem_.rates(yu);
+      at.rates = problem_.rates(as_variables<Jet>(here));
     }
     at.hamiltonian = at.rates.cost;
     for (std::size_t i = 0; i < kStates; ++i) {
@@ -120,7 +119,8 @@ class Flow {
           at.rates.states[i].chain(at.rates.states[i].value * p, p);
     }
     if (!held_) return true;
-    at.limit = problem_.limit(held_->limit, yu) - Jet(Scalar(held_->bound));
+    at.limit = problem_.limit(held_->limit, as_variables<Jet>(here)) -
+               Jet(Scalar(held_->bound));
     at.multiplier =
         -at.hamiltonian.gradient[kControl] / at.limit.gradient[kControl];
     at.hamiltonian += at.limit * Jet(at.multiplier);

@@ -8,6 +8,7 @@
 
 #include <limits>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "math/dense.hpp"
@@ -64,6 +65,8 @@ class TimeRates {
   [[nodiscard]] virtual double time() const = 0;
   /// False if the conditions are singular: then there are no derivatives.
   [[nodiscard]] virtual bool regular() const = 0;
+  /// Those that will be asked for, which cost less together.
+  virtual void expect(std::span<const SceneCoordinate>) {}
   /// \pre regular()
   [[nodiscard]] virtual TimeRate by(SceneCoordinate coordinate) = 0;
   /// dφ/dκ for a kink κ = φ − β_end asked for at a smooth contact, NaN if there

@@ -4,6 +4,7 @@
 #include "study/in_lanes.hpp"
 
 #include <memory>
+#include <utility>
 
 #include "lanes/many_scenes.hpp"
 #include "math/wall_clock.hpp"
@@ -29,11 +30,17 @@ bool fits(const SceneToSolve& posed) {
              posed.scene.body.theta_m;
 }
 
+double wanted(const SceneToSolve& posed) {
+  return posed.options.or_default<Collocation>()
+      .discretisation.wanted_tolerance();
+}
+
+/// What is asked of an extremal.
+enum class Asked { Certificate, Estimate };
+
 std::optional<Solution> judged(const SceneToSolve& posed,
-                               const lanes::Extremal& extremal) {
-  const double wanted =
-      posed.options.or_default<Collocation>().discretisation.wanted_tolerance();
-  if (!extremal.found || !(extremal.error_estimate <= wanted)) {
+                               const lanes::Extremal& extremal, Asked asked) {
+  if (!extremal.found || !(extremal.error_estimate <= wanted(posed))) {
     return std::nullopt;
   }
   const PosedScene in_units(posed.scene);
@@ -45,13 +52,73 @@ std::optional<Solution> judged(const SceneToSolve& posed,
   auto answer = std::make_shared<const Answer>(
       LaneAnswer{{in_units.natural, extremal, posed.scene, in_units.units}});
   const LaneMotion& motion = std::get<LaneAnswer>(*answer).motion;
-  out.certificate = certify(motion);
   out.status = Status::Solved;
   out.answer = std::move(answer);
+  if (asked == Asked::Estimate) return out;
+  out.certificate = certify(motion);
   if (!out.verified()) return std::nullopt;
   out.diagnostics = motion.diagnose();
   if (!out.undecided_because().empty()) return std::nullopt;
   return out;
+}
+
+/// How an attempt comes to a scene.
+enum class Tried { Another, Same };
+
+/// Scenes with what became of them.
+class Batch {
+ public:
+  explicit Batch(std::span<const SceneToSolve> scenes)
+      : scenes_(scenes), lost_(scenes.size()), out_(scenes.size()) {
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+      if (fits(scenes[i])) places_.push_back(i);
+    }
+  }
+
+  /// Those that nothing is known of yet, as far as this is enough for them and
+  /// its way is not the one that they were lost on.
+  void attempt(double least_tolerance, Asked asked, Tried how, auto&& shoot) {
+    std::vector<std::size_t> left;
+    std::vector<Scene> tried;
+    for (const std::size_t place : places_) {
+      if (out_[place] || wanted(scenes_[place]) < least_tolerance) continue;
+      if (lost_[place] && how == Tried::Same) continue;
+      left.push_back(place);
+      tried.push_back(scenes_[place].scene);
+    }
+    if (left.empty()) return;
+    const std::vector<lanes::Extremal> found = shoot(tried);
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      out_[left[i]] = judged(scenes_[left[i]], found[i], asked);
+      lost_[left[i]] = !found[i].found;
+    }
+  }
+
+  /// \param seconds  that all of them took
+  [[nodiscard]] std::vector<std::optional<Solution>> take(double seconds) {
+    for (const std::size_t place : places_) {
+      if (!out_[place]) continue;
+      out_[place]->effort.seconds =
+          seconds / static_cast<double>(places_.size());
+    }
+    return std::move(out_);
+  }
+
+ private:
+  std::span<const SceneToSolve> scenes_;
+  std::vector<std::size_t> places_;  ///< of those that fit
+  std::vector<bool> lost_;  ///< without an extremal at the last attempt
+  std::vector<std::optional<Solution>> out_;
+};
+
+/// From the cycloid.
+void solve_anew(Batch& batch, Asked asked) {
+  for (const lanes::Fineness& fineness : {lanes::kPlain, lanes::kFine}) {
+    batch.attempt(0.0, asked, Tried::Another,
+                  [&](const std::vector<Scene>& tried) {
+                    return lanes::shoot(tried, fineness);
+                  });
+  }
 }
 
 }  // namespace
@@ -59,31 +126,33 @@ std::optional<Solution> judged(const SceneToSolve& posed,
 std::vector<std::optional<Solution>> solve_in_lanes(
     std::span<const SceneToSolve> scenes) {
   const WallClock::time_point begin = WallClock::now();
-  std::vector<std::size_t> places;
-  for (std::size_t i = 0; i < scenes.size(); ++i) {
-    if (!fits(scenes[i])) continue;
-    places.push_back(i);
-  }
-  std::vector<std::optional<Solution>> out(scenes.size());
-  if (places.empty()) return out;
-  for (const lanes::Fineness& fineness : {lanes::kPlain, lanes::kFine}) {
-    std::vector<std::size_t> left;
-    std::vector<Scene> tried;
-    for (const std::size_t place : places) {
-      if (out[place]) continue;
-      left.push_back(place);
-      tried.push_back(scenes[place].scene);
+  Batch batch(scenes);
+  solve_anew(batch, Asked::Certificate);
+  return batch.take(seconds_since(begin));
+}
+
+std::vector<std::optional<Solution>> seek_in_lanes(
+    std::span<const SceneToSolve> scenes, const Solution* beside) {
+  constexpr lanes::Fineness kRough{2, 10, lanes::kMostPlaces / 2, 1};
+  constexpr double kOfRough = 1e-8;
+  constexpr lanes::Fineness kBeside{2, 10, lanes::kMostPlaces, 1};
+  const WallClock::time_point begin = WallClock::now();
+  Batch batch(scenes);
+  const auto* known =
+      beside == nullptr ? nullptr : answer_as<LaneAnswer>(beside->answer);
+  if (known != nullptr) {
+    for (const auto& [fineness, least] :
+         {std::pair(kRough, kOfRough), std::pair(kBeside, 0.0)}) {
+      batch.attempt(least, Asked::Estimate, Tried::Same,
+                    [&](const std::vector<Scene>& tried) {
+                      return lanes::shoot_beside(tried, beside->scene,
+                                                 *known->motion.extremal(),
+                                                 fineness);
+                    });
     }
-    const std::vector<lanes::Extremal> found = lanes::shoot(tried, fineness);
-    for (std::size_t i = 0; i < left.size(); ++i) {
-      out[left[i]] = judged(scenes[left[i]], found[i]);
-    }
   }
-  const double each = seconds_since(begin) / static_cast<double>(places.size());
-  for (const std::size_t place : places) {
-    if (out[place]) out[place]->effort.seconds = each;
-  }
-  return out;
+  solve_anew(batch, Asked::Estimate);
+  return batch.take(seconds_since(begin));
 }
 
 }  // namespace brachisto

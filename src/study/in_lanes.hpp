@@ -28,4 +28,12 @@ struct SceneToSolve {
 [[nodiscard]] std::vector<std::optional<Solution>> solve_in_lanes(
     std::span<const SceneToSolve> scenes);
 
+/// The same for a search that solves what it comes to anew: without
+/// certificates and diagnostics, with no more steps than the tolerance needs.
+///
+/// \param beside  a solution of this kind not far from all of them, which they
+///                are sought next to first; of another kind or null: nothing
+[[nodiscard]] std::vector<std::optional<Solution>> seek_in_lanes(
+    std::span<const SceneToSolve> scenes, const Solution* beside);
+
 }  // namespace brachisto

@@ -11,9 +11,11 @@
 #include "math/enum_table.hpp"
 #include "model/units.hpp"
 #include "refinement/free_rates.hpp"
+#include "refinement/lane_rates.hpp"
 #include "refinement/limited_rates.hpp"
 #include "solvers/pivot_store.hpp"
 #include "study/answer_kinds.hpp"
+#include "study/tau_rates.hpp"
 
 namespace brachisto {
 
@@ -29,6 +31,10 @@ std::unique_ptr<TimeRates> rates_of(const Solution& solution) {
     return LimitedRates::make(
         {found->arcs, found->ends, found->motion.curve(), {}});
   }
+  if (const auto* found = answer_as<LaneAnswer>(solution.answer)) {
+    return std::make_unique<LaneRates>(found->motion.natural(),
+                                       found->motion.extremal());
+  }
   return nullptr;
 }
 
@@ -37,6 +43,13 @@ double tau_rate(const TimeRates& rates, SceneCoordinate by, double time_rate) {
   const double H = rates.scene().H;
   const double of_H = by == SceneCoordinate::H ? 0.5 * rates.time() / H : 0.0;
   return (time_rate - of_H) / std::sqrt(H);
+}
+
+/// Of a coordinate, in those of the scene.
+double unit_of(SceneCoordinate coordinate, const Solution& solution) {
+  return coordinate >= SceneCoordinate::Radius
+             ? natural_units(solution.scene).length
+             : 1.0;
 }
 
 /// By coordinates.
@@ -132,6 +145,25 @@ const char* name(SceneParameter parameter) {
   return kNames[parameter];
 }
 
+std::optional<TauRates> tau_rates(const Solution& solution,
+                                  std::span<const SceneCoordinate> by) {
+  const ChainScope chains(ChainScope::threads());
+  const std::unique_ptr<TimeRates> rates = rates_of(solution);
+  if (!rates || !rates->regular()) return std::nullopt;
+  rates->expect(by);
+  TauRates out;
+  out.contact_response = rates->contact_response();
+  for (const SceneCoordinate coordinate : by) {
+    if (!has_coordinate(solution.scene, coordinate)) continue;
+    const double rate =
+        tau_rate(*rates, coordinate, rates->by(coordinate).total) /
+        unit_of(coordinate, solution);
+    if (!std::isfinite(rate)) return std::nullopt;
+    out.by[static_cast<std::size_t>(coordinate)] = rate;
+  }
+  return out;
+}
+
 std::optional<Sensitivities> sensitivities(const Solution& solution,
                                            bool second) {
   // The same digits within a solve and after it.
@@ -140,9 +172,10 @@ std::optional<Sensitivities> sensitivities(const Solution& solution,
   if (!rates || !rates->regular()) return std::nullopt;
   const Units units = natural_units(solution.scene);
   const auto unit = [&](std::size_t i) {
-    return kSceneCoordinates[i] >= SceneCoordinate::Radius ? units.length : 1.0;
+    return unit_of(kSceneCoordinates[i], solution);
   };
   PerParameter<TimeDerivatives> by;
+  rates->expect(kSceneCoordinates);
   for (std::size_t i = 0; i < by.size(); ++i) {
     const SceneCoordinate coordinate = kSceneCoordinates[i];
     if (!has_coordinate(solution.scene, coordinate)) continue;

@@ -20,13 +20,11 @@ namespace brachisto {
 
 namespace {
 
-using lanes::kSteps;
-
 /// One element to a step; two places of each let no extreme hide.
-Mesh steps_as_mesh() {
+Mesh steps_as_mesh(int steps) {
   Mesh mesh;
-  for (int i = 0; i <= kSteps; ++i) {
-    mesh.boundaries.push_back(static_cast<double>(i) / kSteps);
+  for (int i = 0; i <= steps; ++i) {
+    mesh.boundaries.push_back(static_cast<double>(i) / steps);
   }
   return mesh;
 }
@@ -63,12 +61,13 @@ struct Weights {
 
 LaneMotion::LaneMotion(const Scene& natural, const lanes::Extremal& extremal,
                        const Scene& scene, const Units& units)
-    : MeshMotion(natural, steps_as_mesh(), std::array{1.0},
-                 extremal.rolling_time, scene, units,
+    : MeshMotion(natural, steps_as_mesh(extremal.places), std::array{1.0},
+                 extremal.rolling_time(), scene, units,
                  extremal.transit_time * units.time),
       extremal_(std::make_shared<const lanes::Extremal>(extremal)),
       turn_(arcs::rotation_per_length(natural)),
-      step_(extremal.rolling_time / kSteps) {
+      step_(extremal.rolling_time() / extremal.places),
+      changes_(static_cast<std::size_t>(extremal.places) + 1) {
   for (std::size_t i = 0; i < changes_.size(); ++i) {
     const lanes::Place& at = extremal.path[i];
     const double s = std::sin(at.beta);
@@ -83,7 +82,7 @@ double LaneMotion::start_angle() const {
 }
 
 MeshMotion::Place LaneMotion::place(int element, double t) const {
-  const int first = std::clamp(element - 1, 0, kSteps - 3);
+  const int first = std::clamp(element - 1, 0, extremal_->places - 3);
   const Weights weights(element - first + t);
   Place out;
   PathState& state = out.state;
@@ -120,10 +119,10 @@ void look_along(const Scene& scene, const lanes::Extremal& extremal,
   int at_rest = 0;
   const Body& body = scene.body;
   const Point start = start_of_centre(scene);
-  for (int i = 0; i <= kSteps; ++i) {
+  for (int i = 0; i <= extremal.places; ++i) {
     const lanes::Place& at = extremal.path[static_cast<std::size_t>(i)];
-    const double sigma = static_cast<double>(i) / kSteps;
-    const Costates p{extremal.p_x, extremal.p_z, at.p_theta, at.p_w};
+    const double sigma = static_cast<double>(i) / extremal.places;
+    const Costates p{extremal.p_x(), extremal.p_z(), at.p_theta, at.p_w};
     const RollingState state{at.theta, at.w};
     hamiltonian.see(std::abs(brachisto::hamiltonian(body, scene.gravity, state,
                                                     p, at.beta)) /
@@ -144,7 +143,7 @@ void look_along(const Scene& scene, const lanes::Extremal& extremal,
   certificate.add("energy_drift", drift.value, kThresholds.defects,
                   drift.where());
   certificate.add("slope_angle", slope.value, std::numbers::pi, slope.where());
-  certificate.add("speed", static_cast<double>(at_rest) / kSteps, 0.0);
+  certificate.add("speed", static_cast<double>(at_rest) / extremal.places, 0.0);
 }
 
 }  // namespace
@@ -162,14 +161,15 @@ Certificate certify(const LaneMotion& motion) {
   look_along(scene, extremal, certificate);
 
   const Point start = start_of_centre(scene);
-  const lanes::Place& last = extremal.path.back();
+  const lanes::Place& last =
+      extremal.path[static_cast<std::size_t>(extremal.places)];
   check_contact(scene, start, start_angle(scene), {last.x, last.z},
                 extremal.phi, 0.0, certificate);
 
   // Of the path nothing is taken but its slopes: θ is as far as it came.
   static const math::QuadratureRule rule = math::gauss_legendre(4);
   double x = start.x, z = start.z, turned = 0.0, t = 0.0;
-  for (int e = 0; e < kSteps; ++e) {
+  for (int e = 0; e < extremal.places; ++e) {
     for (std::size_t i = 0; i < rule.points.size(); ++i) {
       const PathState at = motion.place(e, rule.points[i]).state;
       const double E = energy_height(body, at.centre.z - start.z, at.theta);

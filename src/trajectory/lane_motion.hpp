@@ -7,8 +7,8 @@
 
 #pragma once
 
-#include <array>
 #include <memory>
+#include <vector>
 
 #include "lanes/many_scenes.hpp"
 #include "trajectory/trajectory.hpp"
@@ -28,7 +28,10 @@ class LaneMotion final : public MeshMotion {
   [[nodiscard]] double start_angle() const override;
   [[nodiscard]] double end_angle() const override { return extremal_->phi; }
 
-  [[nodiscard]] const lanes::Extremal& extremal() const { return *extremal_; }
+  using MeshMotion::natural;
+  [[nodiscard]] const std::shared_ptr<const lanes::Extremal>& extremal() const {
+    return extremal_;
+  }
 
  private:
   friend Certificate certify(const LaneMotion& motion);
@@ -42,9 +45,9 @@ class LaneMotion final : public MeshMotion {
   };
 
   std::shared_ptr<const lanes::Extremal> extremal_;
-  double turn_;  ///< dθ/ds
-  double step_;  ///< of u
-  std::array<Change, lanes::kSteps + 1> changes_;
+  double turn_;                  ///< dθ/ds
+  double step_;                  ///< of u
+  std::vector<Change> changes_;  ///< one of each place
 };
 
 /// Tests an extremal found side by side with others.

@@ -4,7 +4,8 @@
 # together what is installed without naming one, each file once.
 cmake_minimum_required(VERSION 3.25)
 load_cache(${BUILD} READ_WITH_PREFIX "" BUILD_SHARED_LIBS BRACHISTO_BUILD_PYTHON
-  BRACHISTO_PYTHON_DIR CMAKE_INSTALL_LIBDIR CMAKE_PROJECT_VERSION)
+  BRACHISTO_PYTHON_DIR CMAKE_INSTALL_LIBDIR CMAKE_INSTALL_LIBEXECDIR CMAKE_PROJECT_VERSION
+  ARB_INCLUDE_DIR)
 string(REGEX MATCH "^[0-9]+\\.[0-9]+" soversion ${CMAKE_PROJECT_VERSION})
 set(lib ${CMAKE_INSTALL_LIBDIR})
 
@@ -28,6 +29,9 @@ set(command
   share/bash-completion/completions/brachisto
   share/zsh/site-functions/_brachisto
   share/fish/vendor_completions[.]d/brachisto[.]fish)
+if(ARB_INCLUDE_DIR)
+  list(APPEND command ${CMAKE_INSTALL_LIBEXECDIR}/brachisto/brachisto-prove)
+endif()
 set(development
   include/brachisto/brachisto[.]hpp
   include/brachisto_chain[.]h

@@ -152,6 +152,30 @@ TEST(Posed, AnOscillatorIsStoppedByOneSwitch) {
   }
 }
 
+/// ∫ x² with x' = u, −1 ≤ u ≤ 1, from x = 1: to 0 in the time 1, and along it
+/// by u = 0, a singular arc; 1/3.
+struct ToZero : Sizes<1, 1> {
+  template <class S>
+  [[nodiscard]] Rates<S> rates(const Point<S>& at) const {
+    return {at.states[0] * at.states[0], {at.controls[0]}};
+  }
+};
+
+TEST(Posed, ASingularArcBeginsWhereItDoes) {
+  const Problem problem(
+      ToZero{}, {.name = "to zero",
+                 .states = {{.name = "x", .start = 1.0}},
+                 .controls = {{.name = "u", .lower = -1.0, .upper = 1.0}},
+                 .duration = Duration::fixed(2.3)});
+  for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10}) {
+    const Answer answer =
+        expect_cost(problem, 1.0 / 3.0, {.tolerance = tolerance});
+
+    ASSERT_FALSE(answer.junctions.empty());
+    EXPECT_NEAR(answer.junctions[0], 1.0, std::cbrt(tolerance));
+  }
+}
+
 /// Held from 3 l to 1 − 3 l, where the control is continuous.
 TEST(Posed, BrysonAndDenhamKnowWhereTheyTouch) {
   const Answer answer =

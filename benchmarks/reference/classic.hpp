@@ -33,7 +33,8 @@ struct Classic {
     std::string by;
     double value;
   };
-  std::optional<Second> second = {};
+  Second second = {"", 0.0};
+  bool closed_form = false;
   /// Of the closed form, where there is one; proven.
   std::optional<Enclosure> enclosure = {};
   struct Literature {

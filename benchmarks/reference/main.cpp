@@ -33,9 +33,7 @@ int main(int argc, char** argv) try {
     const ClassicRow& row = set.classics.back();
     std::printf("%s: %.13g, estimate %s, second method %s, %s\n",
                 classic.name.c_str(), row.value, brief(row.estimate).c_str(),
-                classic.second
-                    ? brief(row.value - classic.second->value).c_str()
-                    : "none",
+                brief(row.value - classic.second.value).c_str(),
                 row.verified ? "verified" : row.why_not.c_str());
     std::fflush(stdout);
   }

@@ -58,6 +58,7 @@ std::vector<Classic> mechanics() {
   const auto closed_form = [&](const char* by, double value,
                                std::optional<Enclosure> enclosure) {
     out.back().second = {by, value};
+    out.back().closed_form = true;
     out.back().enclosure = enclosure;
   };
 

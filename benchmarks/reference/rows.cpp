@@ -101,20 +101,11 @@ ClassicRow measured(const Classic& classic,
   for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10}) {
     by.tolerance = tolerance;
     const ocp::Answer here = ocp::solve(*classic.problem, by);
-    row.work.push_back({tolerance,
-                        classic.second ? std::abs(classic.reported(here.cost) -
-                                                  classic.second->value)
-                                       : kNone,
-                        std::abs(classic.factor) * here.estimated_error,
-                        here.seconds, here.verified()});
-  }
-  if (!classic.second) {
-    ocp::SolveBy other = classic.by;
-    other.tolerance = kWanted;
-    other.degree = 8;
-    other.elements = 17;
-    row.by_degree_8 =
-        classic.reported(ocp::solve(*classic.problem, other).cost);
+    row.work.push_back(
+        {tolerance,
+         std::abs(classic.reported(here.cost) - classic.second.value),
+         std::abs(classic.factor) * here.estimated_error, here.seconds,
+         here.verified()});
   }
   if (mesh.boundaries.empty()) return row;
   const auto program = classic.problem->on(mesh);

@@ -17,7 +17,7 @@ namespace brachisto::benchmarks {
 
 /// One tolerance, and what came of it.
 struct WorkPoint {
-  double tolerance, error, estimate, seconds;  ///< NaN without a second method
+  double tolerance, error, estimate, seconds;
   bool verified;
 };
 
@@ -33,9 +33,6 @@ struct ClassicRow {
   std::string peer_status;
   double peer_value, peer_seconds;
   std::string nl_file;
-  /// Where there is no second method: by polynomials of degree 8 on a mesh that
-  /// begins with other elements.
-  double by_degree_8 = 0.0;
 };
 
 /// Writes the .nl file into a folder.

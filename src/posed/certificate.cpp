@@ -92,6 +92,53 @@ class Certifier {
     return worst;
   }
 
+  /// y' − f over the duration, relative to the states' sizes, in the mean:
+  /// between the points as well, where no equation is asked for.
+  [[nodiscard]] Worst missed() const {
+    std::vector<double> sums(states_, 0.0), sizes(states_, 1.0);
+    each_share([&](int, const PathValues& here, double share) {
+      const std::vector<double> all = formulas(here.point());
+      for (std::size_t s = 0; s < states_; ++s) {
+        sums[s] += share * std::abs(here.slopes[s] - all[s + 1]);
+        sizes[s] = std::max(sizes[s], std::abs(here.states[s]));
+      }
+    });
+    Worst worst;
+    for (std::size_t s = 0; s < states_; ++s) {
+      worst.see(sums[s] * path_.duration() / sizes[s], name(s),
+                path_.duration());
+    }
+    worst.where = worst.where.substr(0, worst.where.find(" at t"));
+    return worst;
+  }
+
+  /// What the equations' being missed between the points comes to in the cost,
+  /// to first order: ∫ L + p·(f − y') dt less what the program sums up, of each
+  /// element.
+  [[nodiscard]] double cost_of_missed() const {
+    const Mesh& mesh = path_.mesh();
+    std::vector<double> of(at(mesh.num_elements()), 0.0);
+    each_share([&](int e, const PathValues& here, double share) {
+      const std::vector<double> all = formulas(here.point());
+      double rate = all[0];
+      for (std::size_t s = 0; s < states_; ++s) {
+        rate += here.costates[s] * (all[s + 1] - here.slopes[s]);
+      }
+      of[at(e)] += share * rate;
+    });
+    const CollocationScheme& scheme = radau_scheme(mesh.degree);
+    double sum = 0.0;
+    for (int e = 0; e < mesh.num_elements(); ++e) {
+      for (int j = 0; j < mesh.degree; ++j) {
+        of[at(e)] -=
+            mesh.length(e) * scheme.rule.weights[at(j)] *
+            formulas(path_.values(e, scheme.rule.points[at(j)]).point())[0];
+      }
+      sum += std::abs(of[at(e)]);
+    }
+    return sum * path_.duration();
+  }
+
   /// What the largest excesses over bounds of states and limits cost.
   [[nodiscard]] double cost_of_excess(
       const std::vector<Answer::Price>& prices) const {
@@ -190,6 +237,17 @@ class Certifier {
   template <class With>
   void each_element(With&& with) const {
     for (int e = 0; e < path_.mesh().num_elements(); ++e) with(e);
+  }
+  /// Places of Gauss's rule on each element, with their shares of the duration.
+  template <class With>
+  void each_share(With&& with) const {
+    const math::QuadratureRule& rule = gauss_scheme(kLargestDegree).rule;
+    each_element([&](int e) {
+      for (std::size_t j = 0; j < rule.points.size(); ++j) {
+        with(e, values(e, rule.points[j]),
+             path_.mesh().length(e) * rule.weights[j]);
+      }
+    });
   }
   template <class With>
   void each_place(With&& with) const {
@@ -310,6 +368,7 @@ std::vector<Check> certify(const Posed& problem, nlp::Problem& program,
   // States err by the root of what the cost does, at worst.
   const double of_states = 10.0 * std::sqrt(tolerance);
   checks.push_back(ask.integrated().check("states integrated", of_states));
+  checks.push_back(ask.missed().check("equations between points", of_states));
   checks.push_back(ask.exceeded().check("limits between points", of_states));
   checks.push_back(ask.hamiltonian().check("constant Hamiltonian", of_states));
   checks.push_back({"estimated error", relative_error, tolerance, ""});
@@ -325,9 +384,10 @@ std::vector<Check> certify(const Posed& problem, nlp::Problem& program,
   return checks;
 }
 
-double cost_of_excess(const Posed& problem, const MeshPath& path,
-                      const std::vector<Answer::Price>& prices) {
-  return Certifier(problem, path).cost_of_excess(prices);
+double cost_between_points(const Posed& problem, const MeshPath& path,
+                           const std::vector<Answer::Price>& prices) {
+  const Certifier ask(problem, path);
+  return ask.cost_of_excess(prices) + ask.cost_of_missed();
 }
 
 std::string jump_along(const Posed& problem, const MeshPath& path) {

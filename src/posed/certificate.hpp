@@ -29,11 +29,12 @@ namespace brachisto::ocp {
     const Posed& problem, nlp::Problem& program, const PrimalDual& point,
     const MeshPath& path, double relative_error, double tolerance, bool exact);
 
-/// What a path gains by exceeding bounds of states and limits between the
-/// points: the most by which it does, times the bounds' prices. On the widened
-/// bounds it is a path, so that the least cost is higher by no more.
-[[nodiscard]] double cost_of_excess(const Posed& problem, const MeshPath& path,
-                                    const std::vector<Answer::Price>& prices);
+/// What a path gains between its points, where no equation and no bound is
+/// asked for: the largest excess over each bound of states and limits, times
+/// the bound's price, and what the equations are missed by, by costates.
+[[nodiscard]] double cost_between_points(
+    const Posed& problem, const MeshPath& path,
+    const std::vector<Answer::Price>& prices);
 
 /// Where a formula jumps along a path, in words; empty if none does.
 [[nodiscard]] std::string jump_along(const Posed& problem,

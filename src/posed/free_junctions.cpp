@@ -353,17 +353,24 @@ void rebase(const Posed& problem, OnMesh& here) {
 bool multiply(OnMesh& here) {
   constexpr double kVanishes = 1e-4;
   PrimalDual& point = here.result.point;
-  if (!here.program->set_point(point.x)) return false;
   nlp::Problem& program = *here.program;
   nlp::ActiveSet active = nlp::equations_only(program);
   for (int v = 0; v < program.num_variables(); ++v) {
     const nlp::Range range = program.variable_range(v);
     if (range.single()) continue;
     constexpr double kThere = 1e-13;
-    const double x = point.x[at(v)];
-    if (x - range.lower < kThere) active.variables[at(v)] = nlp::Held::AtLower;
-    if (range.upper - x < kThere) active.variables[at(v)] = nlp::Held::AtUpper;
+    // To the bound itself: where its multiplier vanishes it is held all the
+    // same.
+    double& x = point.x[at(v)];
+    if (x - range.lower < kThere) {
+      active.variables[at(v)] = nlp::Held::AtLower;
+      x = range.lower;
+    } else if (range.upper - x < kThere) {
+      active.variables[at(v)] = nlp::Held::AtUpper;
+      x = range.upper;
+    }
   }
+  if (!program.set_point(point.x)) return false;
   nlp::set_bound_multipliers(program, active, point);
   // At a jump they vanish, as nearly as the mesh tells.
   for (std::vector<double>* all : {&point.z_lower, &point.z_upper}) {

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <vector>
@@ -203,6 +204,42 @@ std::string not_smooth(const Posed& problem, const MeshPath& path) {
             formula_name(said, k), 100.0 * share, variable(said, i).name,
             here * problem.scales()[i]);
       }
+    }
+  }
+  return {};
+}
+
+std::string turned(const Posed& problem, const MeshPath& path) {
+  const Statement& said = problem.statement();
+  const int states = path.layout().num_states();
+  constexpr double kTurn = 2.0 * std::numbers::pi, kNear = 0.1, kSame = 1e-9;
+  std::vector<double> before(1 + at(states) + said.limits.size()),
+      behind(before.size());
+  for (int c = 0; c + 1 < path.mesh().num_points(); ++c) {
+    std::vector<double> yu = path.values(sigma(path.mesh(), c)).point();
+    const PathValues next = path.values(sigma(path.mesh(), c + 1));
+    for (std::size_t k = 0; k < said.controls.size(); ++k) {
+      double& here = yu[at(states) + k];
+      const double scale = problem.scales()[at(states) + k];
+      const double turns =
+          std::round((next.controls[k] - here) * scale / kTurn);
+      const double rest = next.controls[k] - here - turns * kTurn / scale;
+      if (turns == 0.0 || std::abs(rest) * scale > kNear * kTurn) continue;
+      problem.evaluate(yu, before);
+      const double first = here;
+      here += turns * kTurn / scale;
+      problem.evaluate(yu, behind);
+      here = first;
+      const bool same =
+          std::ranges::equal(before, behind, [](double a, double b) {
+            return std::abs(a - b) <= kSame * (1.0 + std::abs(a));
+          });
+      if (!same) continue;
+      return fmt::format(
+          "from t = {:.4g} to the next point {} turns once more: bound it, "
+          "guess it nearer, or write a direction as two controls with the "
+          "limit c² + s² = 1",
+          sigma(path.mesh(), c) * path.duration(), said.controls[k].name);
     }
   }
   return {};

@@ -35,6 +35,10 @@ void check(const Posed& problem, const SolveBy& by);
 [[nodiscard]] std::string not_smooth(const Posed& problem,
                                      const MeshPath& path);
 
+/// Which control is an angle that is a turn farther at a neighbouring point, in
+/// words: between the points the path has no sense.
+[[nodiscard]] std::string turned(const Posed& problem, const MeshPath& path);
+
 /// If the variables differ much in size, those whose scale is a mere 1, as
 /// nothing that is stated tells their size: what to do about them.
 [[nodiscard]] std::string size_hint(const Statement& said,

@@ -24,7 +24,8 @@ namespace brachisto::ocp {
 /// boundary is δ from its junction falls with δ², and the next path tells the
 /// place better. Where the control jumps a boundary at the very place would
 /// leave nothing free to reach the end with: a short element encloses it, and
-/// what a path errs by falls with the square of its length.
+/// what a path errs by falls with the square of its length, until it is known
+/// so well that its place can be an unknown (free_junctions.hpp).
 struct RefinedMesh {
   struct Junction {
     double sigma;

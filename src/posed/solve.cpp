@@ -162,7 +162,7 @@ Solve::Judged Solve::judged(OnMesh& coarse, OnMesh& fine) {
   // Next to junctions the finer path need not be the better one.
   constexpr double kRounding = 1e-14;
   const double error = 2.0 * change + fine.gap + kRounding * size +
-                       cost_of_excess(problem_, fine_path, priced.prices);
+                       cost_between_points(problem_, fine_path, priced.prices);
   return {std::move(held), std::move(errors), size, error};
 }
 
@@ -249,6 +249,7 @@ bool Solve::free_junctions(const RefinedMesh& next, const MeshPath& nearby) {
 }
 
 std::string Solve::why_not_nearer(const MeshPath& path) const {
+  if (std::string turn = turned(problem_, path); !turn.empty()) return turn;
   if (std::string jump = jump_along(problem_, path); !jump.empty()) return jump;
   return fmt::format(
       "the estimated error stays at {:.1e}, {:.1e} is wanted; {}", relative_,

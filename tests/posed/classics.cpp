@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "brachisto/ocp.hpp"
 #include "support/classics.hpp"
@@ -116,6 +117,62 @@ TEST(Posed, AJunctionThatIsNotSettledIsHonestOrNamed) {
           << answer.why_not();
       EXPECT_NE(answer.why_not().find("try another degree"), std::string::npos);
     }
+  }
+}
+
+/// x' = v, v' = u − x to rest at 0 from rest at x₀ ≤ 2: an arc about −1 and one
+/// about 1 in the plane of x and v, that meet at X = ((x₀ + 1)² − 1)/4.
+struct Oscillator : Sizes<2, 1> {
+  template <class S>
+  [[nodiscard]] Rates<S> rates(const Point<S>& at) const {
+    const auto& [x, v] = at.states;
+    return {S(1.0), {v, at.controls[0] - x}};
+  }
+};
+
+TEST(Posed, AnOscillatorIsStoppedByOneSwitch) {
+  for (const double start : {0.35, 0.8, 1.3, 1.9}) {
+    const Problem problem(
+        Oscillator{}, {.name = "oscillator",
+                       .states = {{.name = "x", .start = start, .end = 0.0},
+                                  {.name = "v", .start = 0.0, .end = 0.0}},
+                       .controls = {{.name = "u", .lower = -1.0, .upper = 1.0}},
+                       .duration = {.guess = 2.0}});
+    const double meets = 0.25 * ((start + 1.0) * (start + 1.0) - 1.0);
+    const double first = std::acos((meets + 1.0) / (start + 1.0));
+    for (const auto& [tolerance, degree] :
+         {std::pair(1e-4, 5), std::pair(1e-8, 7), std::pair(1e-10, 4)}) {
+      const Answer answer =
+          expect_cost(problem, first + std::acos(1.0 - meets),
+                      {.tolerance = tolerance, .degree = degree});
+
+      ASSERT_EQ(answer.junctions.size(), 1U) << start;
+      EXPECT_NEAR(answer.junctions[0], first, 10.0 * std::sqrt(tolerance));
+    }
+  }
+}
+
+/// ∫ x² with x' = u, −1 ≤ u ≤ 1, from x = 1: to 0 in the time 1, and along it
+/// by u = 0, a singular arc; 1/3.
+struct ToZero : Sizes<1, 1> {
+  template <class S>
+  [[nodiscard]] Rates<S> rates(const Point<S>& at) const {
+    return {at.states[0] * at.states[0], {at.controls[0]}};
+  }
+};
+
+TEST(Posed, ASingularArcBeginsWhereItDoes) {
+  const Problem problem(
+      ToZero{}, {.name = "to zero",
+                 .states = {{.name = "x", .start = 1.0}},
+                 .controls = {{.name = "u", .lower = -1.0, .upper = 1.0}},
+                 .duration = Duration::fixed(2.3)});
+  for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10}) {
+    const Answer answer =
+        expect_cost(problem, 1.0 / 3.0, {.tolerance = tolerance});
+
+    ASSERT_FALSE(answer.junctions.empty());
+    EXPECT_NEAR(answer.junctions[0], 1.0, std::cbrt(tolerance));
   }
 }
 

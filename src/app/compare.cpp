@@ -37,8 +37,7 @@ int run(const CompareFlags& flags) {
   const comparison::MethodComparison made =
       comparison::compare_methods(subject, flags.options, hooks);
   if (!flags.out.empty()) {
-    const comparison::ComparisonFiles page =
-        comparison::files_of(made, hooks.interrupt);
+    const report::DrawnFiles page = comparison::files_of(made, hooks.interrupt);
     warn(page.missing);
     report::write_files(flags.out, page.files, flags.force, names);
   }

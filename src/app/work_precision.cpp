@@ -52,7 +52,7 @@ int run(const WorkPrecisionFlags& flags) {
   const comparison::WorkPrecision found = comparison::run_work_precision(
       subject, flags.quick ? quick(stated) : stated, hooks);
   if (!flags.out.empty()) {
-    const comparison::ComparisonFiles made =
+    const report::DrawnFiles made =
         comparison::files_of(found, hooks.interrupt);
     warn(made.missing);
     report::write_files(flags.out, made.files, flags.force, names);

@@ -32,7 +32,7 @@ void write_file(const std::string& path, const std::string& content) {
 }
 
 void write_figure(const report::Figure& figure, const std::string& path) {
-  const report::DrawnFigure drawn =
+  const report::DrawnFiles drawn =
       report::draw(figure, report::Format::Svg, nullptr);
   if (!drawn.missing.empty()) fmt::print(stderr, "{}\n", drawn.missing);
   const std::filesystem::path folder =

@@ -5,50 +5,24 @@
 
 #include <memory>
 
+#include "app/comparing.hpp"
 #include "app/exit_code.hpp"
-#include "app/signals.hpp"
-#include "app/terminal.hpp"
-#include "app/verbs.hpp"
-#include "brachisto/report/result.hpp"
 #include "comparison/comparison.hpp"
-#include "comparison/pages.hpp"
 
 namespace brachisto::app {
 
 namespace {
 
-using report::TableForm;
-
-struct CompareFlags : CommonFlags {
+struct CompareFlags : ComparisonFlags {
   comparison::ComparisonOptions options;
-  std::string out;
-  bool force = false;
-  bool markdown = false;
 };
 
 int run(const CompareFlags& flags) {
-  const std::vector<std::string> names = comparison::comparison_file_names();
-  const comparison::Subject subject =
-      comparison::read_subject(flags.file, flags.overrides);
-  if (!flags.out.empty()) {
-    report::check_writable(flags.out, names, flags.force);
-  }
-  const comparison::Hooks hooks{&catch_signals(), progress_lines(flags.quiet)};
-  const comparison::MethodComparison made =
-      comparison::compare_methods(subject, flags.options, hooks);
-  if (!flags.out.empty()) {
-    const comparison::ComparisonFiles page =
-        comparison::files_of(made, hooks.interrupt);
-    warn(page.missing);
-    report::write_files(flags.out, page.files, flags.force, names);
-  }
-  if (flags.json) {
-    print_data(comparison::to_json(made));
-  } else if (!flags.quiet) {
-    print(comparison::summary(
-        made, flags.markdown ? TableForm::Markdown : TableForm::Text));
-    if (!flags.out.empty()) print_paths(flags.out, {{names.back(), ""}});
-  }
+  const auto made = compared(
+      flags, comparison::comparison_file_names(),
+      [&](const comparison::Subject& subject, const comparison::Hooks& hooks) {
+        return comparison::compare_methods(subject, flags.options, hooks);
+      });
   return made.reference ? kSuccess : kNotSolved;
 }
 
@@ -86,12 +60,9 @@ Verb compare_verb() {
             .check = number(
                 "from 1e-14 to 1e-6",
                 [](double value) { return value >= 1e-14 && value <= 1e-6; }),
-            .shows_default = true},
-           directory_flag("--out", flags->out,
-                          "Write a page, index.html, its picture, compare.txt "
-                          "and compare.json there"),
-           {"--force", &flags->force, "Replace existing files in DIR"},
-           markdown_flag(flags->markdown)}),
+            .shows_default = true}},
+          "Write a page, index.html, its picture, compare.txt and compare.json "
+          "there"),
       .footer =
           R"(Every method runs in a process of its own, from the cycloid. One that
 fails is a row with the reason.

@@ -145,7 +145,7 @@ std::vector<report::OutputFile> draw_map(const DesignFlags& flags,
                     counts.finished(), counts.scenes));
     return {};
   }
-  report::DrawnFigure drawn = report::draw(
+  report::DrawnFiles drawn = report::draw(
       report::design_map_figure(sweep::read_table(store, job), answer.paths),
       report::Format::Svg, &signal);
   if (!drawn.missing.empty()) warnings.push_back(drawn.missing);

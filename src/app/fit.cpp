@@ -162,7 +162,7 @@ int run(const FitFlags& flags) {
   if (!flags.out.empty()) {
     FittedProblem fitted = fitted_problem(flags, stated, found, subject);
     warn(fitted.objection);
-    report::DrawnFigure drawn =
+    report::DrawnFiles drawn =
         report::draw(fit::residual_figure(found), report::Format::Svg, &signal);
     warn(drawn.missing);
     std::vector<report::OutputFile> files = std::move(drawn.files);

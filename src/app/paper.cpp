@@ -65,8 +65,7 @@ int run(const PaperFlags& flags) {
       flags.problems.empty() ? default_problems() : fs::path(flags.problems),
       hooks);
   const reproduction::Reproduction made = reproduction::reproduce(found);
-  const reproduction::PaperFiles written =
-      reproduction::files(found, made, &signal);
+  const report::DrawnFiles written = reproduction::files(found, made, &signal);
   if (!written.missing.empty()) {
     warn(written.missing);
   }

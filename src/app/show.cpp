@@ -79,7 +79,7 @@ int run(const ShowFlags& flags) {
   const io::ProblemFile problem =
       io::read_problem_file(directory / kResultFile);
   try {
-    const PageFiles made =
+    const report::DrawnFiles made =
         page_files(result, problem.scene, csv, flags.gif, signal);
     warn(made.missing);
     report::write_files(directory, made.files, true);

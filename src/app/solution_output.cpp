@@ -41,7 +41,7 @@ constexpr std::array kPageFiles{"index.html", "motion.csv", "motion.gp",
 std::vector<report::OutputFile> path_files(Solution& solution,
                                            const std::atomic<int>& signal) {
   if (!solution.verified()) return {};
-  report::DrawnFigure picture =
+  report::DrawnFiles picture =
       report::draw(report::path_figure(solution), report::Format::Svg, &signal);
   if (!picture.missing.empty()) {
     warn(picture.missing);
@@ -58,8 +58,8 @@ void add_page(const Solution& solution, const std::string& json, bool gif,
   if (!solution.verified()) return;
   const auto csv =
       std::ranges::find(files, kTrajectoryFile, &report::OutputFile::name);
-  PageFiles page = page_files(report::Json::parse(json), solution.scene,
-                              csv->content, gif, signal);
+  report::DrawnFiles page = page_files(
+      report::Json::parse(json), solution.scene, csv->content, gif, signal);
   warn(page.missing);
   std::ranges::move(page.files, std::back_inserter(files));
 }
@@ -79,16 +79,14 @@ void write_results(const SolutionOutput& output,
 
 }  // namespace
 
-PageFiles page_files(const report::Json& result, const Scene& scene,
-                     std::string_view csv, bool gif,
-                     const std::atomic<int>& signal) {
+report::DrawnFiles page_files(const report::Json& result, const Scene& scene,
+                              std::string_view csv, bool gif,
+                              const std::atomic<int>& signal) {
   const auto table = plot::TrajectoryTable::read(csv);
-  PageFiles out;
+  report::DrawnFiles out;
   if (gif) {
-    report::DrawnFigure drawn = report::draw(plot::moving_figure(scene, table),
-                                             report::Format::Gif, &signal);
-    out.files = std::move(drawn.files);
-    out.missing = std::move(drawn.missing);
+    out = report::draw(plot::moving_figure(scene, table), report::Format::Gif,
+                       &signal);
   }
   out.files.push_back({"index.html", plot::answer_page(result, scene, table)});
   return out;

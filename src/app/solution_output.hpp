@@ -14,6 +14,7 @@
 #include "brachisto/report/result.hpp"
 #include "brachisto/study/solve.hpp"
 #include "plot/trajectory_table.hpp"
+#include "report/figure.hpp"
 #include "report/result_texts.hpp"
 
 namespace brachisto::app {
@@ -31,19 +32,14 @@ struct SolutionOutput {
   const DesignAnswer* design = nullptr;  ///< that chose the body
 };
 
-/// The page of an answer and what goes with it.
-struct PageFiles {
-  std::vector<report::OutputFile> files;
-  std::string missing;  ///< why there is no picture that moves; or empty
-};
-
 /// index.html and, if asked for, motion.gif with its table and script.
 /// \param result  the document of a verified result
 /// \param csv     its trajectory.csv
 /// \throws plot::NoTrajectory, Stopped
-[[nodiscard]] PageFiles page_files(const report::Json& result,
-                                   const Scene& scene, std::string_view csv,
-                                   bool gif, const std::atomic<int>& signal);
+[[nodiscard]] report::DrawnFiles page_files(const report::Json& result,
+                                            const Scene& scene,
+                                            std::string_view csv, bool gif,
+                                            const std::atomic<int>& signal);
 
 /// All files of a solution in --out.
 [[nodiscard]] std::vector<std::string> solution_files();

@@ -106,7 +106,7 @@ int write_sweep_report(const std::string& directory, bool force, bool quiet) {
   sweep::Store store =
       sweep::Store::open(directory, sweep::Database::Access::ReadOnly);
   const sweep::Job job = store.job();
-  const plot::SweepPage page = plot::sweep_report(
+  const report::DrawnFiles page = plot::sweep_report(
       read_table(store, job), read_tracks(store, job), &catch_signals());
   warn(page.missing);
   const std::filesystem::path out = std::filesystem::path(directory) / "report";

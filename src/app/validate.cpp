@@ -19,6 +19,7 @@
 #include "brachisto/report/result.hpp"
 #include "io/effective_input.hpp"
 #include "io/visible_text.hpp"
+#include "report/text_table.hpp"
 #include "study/size.hpp"
 
 namespace brachisto::app {
@@ -26,7 +27,6 @@ namespace brachisto::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Row = std::vector<std::string>;
 
 constexpr std::size_t kShownAtEachEnd = 3;
 
@@ -117,26 +117,8 @@ std::string text_of(const io::SweepValue& value) {
                            : io::visible(std::get<std::string>(value));
 }
 
-/// Rows of equal length with their columns right-aligned.
-std::string aligned(const std::vector<Row>& rows) {
-  std::vector<std::size_t> widths(rows.front().size(), 0);
-  for (const Row& row : rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      widths[i] = std::max(widths[i], row[i].size());
-    }
-  }
-  std::string text;
-  for (const Row& row : rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      text += fmt::format("  {:>{}}", row[i], widths[i]);
-    }
-    text += '\n';
-  }
-  return text;
-}
-
 std::string axes_table(const io::SweepFile& sweep) {
-  std::vector<Row> rows{{"axis", "values", "first", "last"}};
+  report::Rows rows{{"axis", "values", "first", "last"}};
   for (std::size_t i = 0; i < sweep.axes().size(); ++i) {
     const io::SweepFileAxis& axis = sweep.axes()[i];
     const auto [first, last] = ends_of(sweep, i);
@@ -148,11 +130,11 @@ std::string axes_table(const io::SweepFile& sweep) {
            text_of(sweep.values(last)[key])});
     }
   }
-  return aligned(rows);
+  return report::text_table(rows);
 }
 
 std::string scenes_table(const io::SweepFile& sweep) {
-  std::vector<Row> rows{{"scene"}};
+  report::Rows rows{{"scene"}};
   for (const io::SweepKey& key : sweep.keys()) rows[0].push_back(key.path);
   const std::size_t scenes = sweep.num_scenes();
   for (std::size_t scene = 0; scene < scenes; ++scene) {
@@ -165,7 +147,7 @@ std::string scenes_table(const io::SweepFile& sweep) {
       rows.back().push_back(text_of(value));
     }
   }
-  return aligned(rows);
+  return report::text_table(rows);
 }
 
 Json forecast_json(const Forecast& size) {

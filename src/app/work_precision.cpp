@@ -6,24 +6,16 @@
 #include <algorithm>
 #include <memory>
 
+#include "app/comparing.hpp"
 #include "app/exit_code.hpp"
-#include "app/signals.hpp"
-#include "app/terminal.hpp"
-#include "app/verbs.hpp"
-#include "brachisto/report/result.hpp"
-#include "comparison/methods.hpp"
-#include "comparison/pages.hpp"
 #include "comparison/work_precision.hpp"
 
 namespace brachisto::app {
 
 namespace {
 
-struct WorkPrecisionFlags : CommonFlags {
-  std::string out;
-  bool force = false;
+struct WorkPrecisionFlags : ComparisonFlags {
   bool quick = false;
-  bool markdown = false;
 };
 
 /// A first look: the coarsest meshes that all methods take, once.
@@ -40,31 +32,13 @@ WorkPrecisionPlan quick(WorkPrecisionPlan plan) {
 }
 
 int run(const WorkPrecisionFlags& flags) {
-  const comparison::Subject subject =
-      comparison::read_subject(flags.file, flags.overrides);
-  const WorkPrecisionPlan& stated = subject.problem.work_precision;
-  const std::vector<std::string> names =
-      comparison::work_precision_file_names();
-  if (!flags.out.empty()) {
-    report::check_writable(flags.out, names, flags.force);
-  }
-  const comparison::Hooks hooks{&catch_signals(), progress_lines(flags.quiet)};
-  const comparison::WorkPrecision found = comparison::run_work_precision(
-      subject, flags.quick ? quick(stated) : stated, hooks);
-  if (!flags.out.empty()) {
-    const comparison::ComparisonFiles made =
-        comparison::files_of(found, hooks.interrupt);
-    warn(made.missing);
-    report::write_files(flags.out, made.files, flags.force, names);
-  }
-  if (flags.json) {
-    print_data(comparison::to_json(found));
-  } else if (!flags.quiet) {
-    print(comparison::summary(found, flags.markdown
-                                         ? report::TableForm::Markdown
-                                         : report::TableForm::Text));
-    if (!flags.out.empty()) print_paths(flags.out, {{names.back(), ""}});
-  }
+  (void)compared(
+      flags, comparison::work_precision_file_names(),
+      [&](const comparison::Subject& subject, const comparison::Hooks& hooks) {
+        const WorkPrecisionPlan& stated = subject.problem.work_precision;
+        return comparison::run_work_precision(
+            subject, flags.quick ? quick(stated) : stated, hooks);
+      });
   return kSuccess;
 }
 
@@ -76,15 +50,11 @@ Verb work_precision_verb() {
       .name = "work-precision",
       .text = "Processor time against true error, method by method",
       .flags = flags->with(
-          {directory_flag(
-               "--out", flags->out,
-               "Write a page, index.html, diagrams with their tables "
-               "and scripts, and work_precision.json there"),
-           {"--force", &flags->force, "Replace existing files in DIR"},
-           {"--quick", &flags->quick,
+          {{"--quick", &flags->quick,
             "The three coarsest meshes that all methods take, one "
-            "repetition"},
-           markdown_flag(flags->markdown)}),
+            "repetition"}},
+          "Write a page, index.html, diagrams with their tables and scripts, "
+          "and work_precision.json there"),
       .footer =
           R"(The section work_precision of the file says which methods run on which
 meshes; it has defaults.

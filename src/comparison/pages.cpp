@@ -7,7 +7,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include "brachisto/version.hpp"
@@ -119,48 +118,25 @@ std::string how_measured(const std::optional<Reference>& reference,
                                machine.cores, machine.kernel));
 }
 
-/// A page as it grows, and the files beside it.
-class Page {
- public:
-  Page(const std::string& sentence, const Subject& subject,
-       const std::atomic<int>* interrupt)
-      : interrupt_(interrupt), html_(report::page_head(xml_escaped(sentence))) {
-    html_ += fmt::format("<p class=\"about\">{}.</p>\n",
-                         report::html_words(in_words(subject)));
-  }
+report::GrowingPage page_of(const std::string& sentence, const Subject& subject,
+                            const std::atomic<int>* interrupt) {
+  report::GrowingPage page(interrupt);
+  page += report::page_head(xml_escaped(sentence));
+  page += fmt::format("<p class=\"about\">{}.</p>\n",
+                      report::html_words(in_words(subject)));
+  return page;
+}
 
-  Page& operator+=(const std::string& html) {
-    html_ += html;
-    return *this;
-  }
-  void add(const Picture& picture) {
-    report::DrawnFigure drawn =
-        report::draw(picture.figure, report::Format::Svg, interrupt_);
-    html_ += report::figure_html(
-        drawn, picture.figure.name,
-        fmt::format("Figure {}. {}", ++number_, xml_escaped(picture.caption)),
-        room_);
-    if (!drawn.missing.empty()) out_.missing = drawn.missing;
-    std::ranges::move(drawn.files, std::back_inserter(out_.files));
-  }
-  void add_file(std::string name, std::string content) {
-    out_.files.push_back({std::move(name), std::move(content)});
-  }
+void add_picture(report::GrowingPage& page, const Picture& picture) {
+  page.add(picture.figure, page.next_number() + xml_escaped(picture.caption));
+}
 
-  [[nodiscard]] ComparisonFiles finished() && {
-    html_ += fmt::format("<footer>Written by brachisto {}.</footer>\n",
-                         BRACHISTO_VERSION);
-    out_.files.push_back({kPage, html_ + "</body>\n</html>\n"});
-    return std::move(out_);
-  }
-
- private:
-  const std::atomic<int>* interrupt_;
-  std::string html_;
-  std::size_t room_ = report::kMostOfPictures;
-  int number_ = 0;
-  ComparisonFiles out_;
-};
+report::DrawnFiles finished(report::GrowingPage& page) {
+  page += fmt::format("<footer>Written by brachisto {}.</footer>\n",
+                      BRACHISTO_VERSION);
+  page.add_file(kPage, page.html() + "</body>\n</html>\n");
+  return page.files();
+}
 
 /// "1 solve", "5 solves".
 std::string solves(int repetitions) {
@@ -208,13 +184,14 @@ std::vector<std::string> comparison_file_names() {
           "compare.gp",  "compare.svg",  kPage};
 }
 
-ComparisonFiles files_of(const WorkPrecision& found,
-                         const std::atomic<int>* interrupt) {
+report::DrawnFiles files_of(const WorkPrecision& found,
+                            const std::atomic<int>* interrupt) {
   const std::vector<Party> parties = parties_of(found);
-  Page page(in_a_sentence(parties), found.subject, interrupt);
+  report::GrowingPage page =
+      page_of(in_a_sentence(parties), found.subject, interrupt);
   page.add_file(kDocument, to_json(found));
   const std::vector<Picture> pictures = pictures_of(found);
-  page.add(pictures.front());
+  add_picture(page, pictures.front());
   Failures failures;
   for (const LeftOut& one : found.left_out) {
     failures.add(label(one.method), "", one.reason);
@@ -247,17 +224,19 @@ ComparisonFiles files_of(const WorkPrecision& found,
                                solves(found.plan.repetitions))));
   if (pictures.size() > 1) page += "<h2>More pictures</h2>\n";
   page += start_in_words(found);
-  for (std::size_t i = 1; i < pictures.size(); ++i) page.add(pictures[i]);
-  return std::move(page).finished();
+  for (std::size_t i = 1; i < pictures.size(); ++i)
+    add_picture(page, pictures[i]);
+  return finished(page);
 }
 
-ComparisonFiles files_of(const MethodComparison& made,
-                         const std::atomic<int>* interrupt) {
+report::DrawnFiles files_of(const MethodComparison& made,
+                            const std::atomic<int>* interrupt) {
   const std::vector<Party> parties = parties_of(made);
-  Page page(in_a_sentence(parties), made.subject, interrupt);
+  report::GrowingPage page =
+      page_of(in_a_sentence(parties), made.subject, interrupt);
   page.add_file("compare.txt", summary(made));
   page.add_file("compare.json", to_json(made));
-  for (const Picture& picture : pictures_of(made)) page.add(picture);
+  for (const Picture& picture : pictures_of(made)) add_picture(page, picture);
   Failures failures;
   for (const ComparisonRow& row : made.rows) {
     if (!row.run.solved()) failures.add(row.label, "", row.run.cause);
@@ -275,7 +254,7 @@ ComparisonFiles files_of(const MethodComparison& made,
                       "up to {}, without certificates.",
                       report::printed(made.options.residual, 2),
                       solves(made.options.repetitions))));
-  return std::move(page).finished();
+  return finished(page);
 }
 
 }  // namespace brachisto::comparison

@@ -217,7 +217,7 @@ void check_world(const Check& check) {
   }
   if (check.problem.scene.world.ordinary()) return;
   exclude(check, kOfOrdinaryWorld,
-          "a sphere's field, a start speed, air or losses");
+          "a field that varies, a start speed, air or losses");
 }
 
 void check_arc_length(const Check& check) {

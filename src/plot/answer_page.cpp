@@ -326,11 +326,8 @@ std::string answer_page(const Json& result, const Scene& scene,
   std::string kind(report::track_kind(scene));
   kind[0] = static_cast<char>(std::toupper(kind[0]));
   const std::string title = headline(result, scene);
-  std::string out = report::document_head(
-      xml_escaped(title),
-      fmt::format("<meta name=\"color-scheme\" content=\"light dark\"/>\n"
-                  "<style>{}\n{}</style>\n",
-                  kChartStyle, kAnswerStyle));
+  std::string out =
+      report::document_head(xml_escaped(title), {kChartStyle, kAnswerStyle});
   out += fmt::format("<header>\n<h1>{}</h1>\n<p class=\"about\">{}: {}</p>\n",
                      xml_escaped(title), kind,
                      report::html_words(report::in_words(scene)));

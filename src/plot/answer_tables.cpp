@@ -19,6 +19,7 @@
 #include "io/key_spec.hpp"
 #include "math/angle.hpp"
 #include "plot/check_texts.hpp"
+#include "report/page.hpp"
 #include "report/rich_text.hpp"
 #include "report/scale.hpp"
 
@@ -29,6 +30,7 @@ namespace {
 using report::FieldText;
 using report::Json;
 using report::printed;
+using report::Rows;
 using report::xml_escaped;
 
 enum class Part {
@@ -119,45 +121,24 @@ std::string with_unit(const Json& value, std::string_view unit) {
   return text;
 }
 
-/// Rows of cells under heads, all HTML; each cell knows its head where there is
-/// no room for columns.
-std::string table(const std::vector<std::string>& heads,
-                  const std::vector<std::vector<std::string>>& rows,
+/// Of cells that are HTML, the first of a row being its name; nothing of no
+/// rows.
+std::string table(const std::vector<std::string>& heads, const Rows& rows,
                   std::string_view style = "") {
-  if (rows.empty()) return {};
-  std::string out = fmt::format(
-      "<div class=\"wide\"><table class=\"stacked{}\"><thead><tr>", style);
-  for (const std::string& head : heads) {
-    out += fmt::format("<th scope=\"col\">{}</th>", head);
-  }
-  out += "</tr></thead><tbody>\n";
+  report::HtmlRows cells;
   for (const std::vector<std::string>& row : rows) {
-    out += "<tr>";
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      std::string label;
-      bool tag = false;
-      for (const char c : heads[i]) {
-        if (c == '<') tag = true;
-        if (!tag) label += c;
-        if (c == '>') tag = false;
-      }
-      out += i == 0
-                 ? fmt::format("<th scope=\"row\">{}</th>", row[i])
-                 : fmt::format("<td data-label=\"{}\">{}</td>", label, row[i]);
-    }
-    out += "</tr>\n";
+    auto& to = cells.emplace_back();
+    for (const std::string& cell : row) to.push_back({cell});
   }
-  return out + "</tbody></table></div>\n";
+  return rows.empty() ? "" : report::html_table(heads, cells, style, true);
 }
-
-using RowsOfCells = std::vector<std::vector<std::string>>;
 
 bool is_list_of_objects(const FieldText& text) {
   return text.type == "array" && !text.parts.empty();
 }
 
 /// What is told of keys, of those within them too, but for lists of objects.
-void add_rows(RowsOfCells& rows, const FieldText& text, const Json& value,
+void add_rows(Rows& rows, const FieldText& text, const Json& value,
               const std::string& path) {
   const bool nothing = value.is_null() || (value.is_array() && value.empty());
   if (nothing || is_list_of_objects(text)) return;
@@ -193,7 +174,7 @@ std::string lists(const FieldText& text, const Json& value,
                          ? ""
                          : fmt::format(" [{}]", xml_escaped(part.unit))));
   }
-  RowsOfCells rows;
+  Rows rows;
   for (const Json& item : value) {
     std::vector<std::string> cells{fmt::format("{}", rows.size() + 1)};
     for (const FieldText& part : text.parts) {
@@ -208,14 +189,14 @@ std::string lists(const FieldText& text, const Json& value,
 
 /// All keys of one part of the page: values first, then lists.
 std::string part_tables(const Json& result, Part part) {
-  RowsOfCells rows;
+  Rows rows;
   std::string further;
   for (const FieldText& text : report::result_texts()) {
     if (part_of(text.name) != part) continue;
     add_rows(rows, text, at(result, text.name), "");
     further += lists(text, at(result, text.name), "");
   }
-  return table({"key", "value", "meaning"}, rows, " values") + further;
+  return table({"key", "value", "meaning"}, rows, "values") + further;
 }
 
 const FieldText& text_of(std::string_view key) {
@@ -224,7 +205,7 @@ const FieldText& text_of(std::string_view key) {
 }
 
 /// Values of the input with what the reference of problem files tells of them.
-void add_input(RowsOfCells& rows, const Json& json, const std::string& path) {
+void add_input(Rows& rows, const Json& json, const std::string& path) {
   for (const auto& [name, value] : json.items()) {
     const std::string key = path + (path.empty() ? "" : ".") + name;
     if (value.is_null()) continue;
@@ -276,9 +257,9 @@ std::string symbols_html(std::string_view text) {
 }
 
 std::string asked_table(const Json& result) {
-  RowsOfCells rows;
+  Rows rows;
   add_input(rows, at(result, "scene"), "scene");
-  return table({"key", "value", "meaning"}, rows, " values");
+  return table({"key", "value", "meaning"}, rows, "values");
 }
 
 std::string found_table(const Json& result) {
@@ -287,7 +268,7 @@ std::string found_table(const Json& result) {
 
 std::string limits_table(const Json& result) {
   const Json& limits = at(result, "limits");
-  RowsOfCells rows;
+  Rows rows;
   for (const Json& limit : limits) {
     std::vector<std::string> arcs;
     for (const Json& arc : at(limit, "active")) {
@@ -316,7 +297,7 @@ std::string limits_table(const Json& result) {
 std::string sensitivities_tables(const Json& result) {
   const Json& all = at(result, "sensitivities");
   if (!all.is_object() || all.empty()) return {};
-  RowsOfCells rows;
+  Rows rows;
   std::vector<std::string> names;
   for (const FieldText& by : text_of("sensitivities").parts) {
     const Json& derivatives = at(all, by.name);
@@ -336,7 +317,7 @@ std::string sensitivities_tables(const Json& result) {
   if (!second.is_array() || second.empty()) return out;
   names.resize(second.size());
   std::vector<std::string> heads{"∂²τ"};
-  RowsOfCells square;
+  Rows square;
   for (std::size_t i = 0; i < names.size(); ++i) {
     heads.push_back(symbols_html(names[i]));
     std::vector<std::string> cells{symbols_html(names[i])};
@@ -347,7 +328,7 @@ std::string sensitivities_tables(const Json& result) {
 }
 
 std::string certificate_table(const Json& result) {
-  RowsOfCells rows;
+  Rows rows;
   for (const Json& check : at(at(result, "certificate"), "checks")) {
     const Json& passed = at(check, "passed");
     const bool good = passed.is_boolean() && passed.get<bool>();
@@ -374,7 +355,7 @@ std::string certificate_table(const Json& result) {
               : "<strong class=\"bad\">failed</strong>"});
   }
   return table({"check", "what it means", "value", "at most", "verdict"}, rows,
-               " checks");
+               "checks");
 }
 
 std::string way_tables(const Json& result) {
@@ -382,16 +363,15 @@ std::string way_tables(const Json& result) {
 }
 
 std::string provenance_tables(const Json& result) {
-  RowsOfCells rows, options;
+  Rows rows, options;
   for (const FieldText& part : text_of("provenance").parts) {
     if (part.name == "options") continue;
     add_rows(rows, part, at(at(result, "provenance"), part.name), "");
   }
   add_input(options, at(at(result, "provenance"), "options"), "");
-  return table({"key", "value", "meaning"}, rows, " values") +
+  return table({"key", "value", "meaning"}, rows, "values") +
          "<details><summary>Options, defaults filled in</summary>\n" +
-         table({"key", "value", "meaning"}, options, " values") +
-         "</details>\n";
+         table({"key", "value", "meaning"}, options, "values") + "</details>\n";
 }
 
 }  // namespace brachisto::plot

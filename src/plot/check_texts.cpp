@@ -44,8 +44,8 @@ constexpr std::array kTexts{
               "left open"},
     CheckText{"energy_drift", "the energy is what the fall has given"},
     CheckText{"turning_costate",
-              "in the field of a sphere, the quantity that turning about its "
-              "centre conserves"},
+              "in a field about a centre, the quantity that turning about it "
+              "conserves"},
     CheckText{"second_order",
               "a strict minimum of the discrete problem: eigenvalues of the "
               "wrong sign"},

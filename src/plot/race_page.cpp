@@ -246,11 +246,7 @@ std::string race_page(const std::vector<Racer>& racers, bool same_track) {
   const std::string title =
       fmt::format("A race of {}, {}", racers.size(),
                   same_track ? "all on one track" : "each on its own track");
-  std::string out = report::document_head(
-      title,
-      fmt::format("<meta name=\"color-scheme\" content=\"light dark\"/>\n"
-                  "<style>{}\n{}</style>\n",
-                  kAnswerStyle, kRaceStyle));
+  std::string out = report::document_head(title, {kAnswerStyle, kRaceStyle});
   out += fmt::format(
       "<header>\n<h1>{}</h1>\n<p class=\"about\">All start together at A, {}, "
       "and arrive at B, {} m to the right and {} m {}."

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <iterator>
 #include <utility>
 
 #include "brachisto/version.hpp"
@@ -259,39 +258,26 @@ std::string warning(const SweepTable& table) {
       found.missing, table.outcomes.size());
 }
 
-/// The page as it grows.
+/// The pictures, one beneath the other, and which of them there are.
 struct Drawn {
-  std::string html;
-  std::vector<report::Figure> figures;  ///< of which there is a picture
-  std::size_t number = 0;
-  std::size_t room = report::kMostOfPictures;
+  report::GrowingPage page;
+  std::vector<report::Figure> figures = {};
 };
 
-/// The drawings of a figure, drawn and put to the others.
 void add_figure(const SweepTable& table, const SweepFigure& figure,
-                const std::atomic<int>* interrupt, SweepPage& out,
                 Drawn& drawn) {
-  drawn.html += fmt::format(
+  report::GrowingPage& page = drawn.page;
+  page += fmt::format(
       "<h2>{}</h2>\n<div class=\"part\">\n<div>\n",
       figure.fixed.empty()
           ? "Results"
           : place(table, figure.fixed, figure.scenes.front(), Markup::Html));
   for (const SweepDrawing& drawing : figure.drawings) {
-    report::DrawnFigure files =
-        report::draw(drawing.figure, report::Format::Svg, interrupt);
-    drawn.html += report::figure_html(
-        files, drawing.figure.name,
-        fmt::format("Figure {}. {}", ++drawn.number, drawing.caption),
-        drawn.room);
-    if (files.missing.empty()) {
+    if (page.add(drawing.figure, page.next_number() + drawing.caption)) {
       drawn.figures.push_back(drawing.figure);
-    } else {
-      out.missing = files.missing;
     }
-    std::move(files.files.begin(), files.files.end(),
-              std::back_inserter(out.files));
   }
-  drawn.html += "</div>\n" + digest_table(table, figure.scenes) + "</div>\n";
+  page += "</div>\n" + digest_table(table, figure.scenes) + "</div>\n";
 }
 
 /// Where the script shows the track of a scene.
@@ -329,11 +315,7 @@ std::string page(const SweepTable& table, const SweepFigures& planned,
       table.title.empty() ? "Sweep" : xml_escaped(name_of(table.title));
   const bool pointed = is_listed(table) && !drawn.figures.empty();
   std::string out =
-      report::document_head(
-          title,
-          fmt::format("<meta name=\"color-scheme\" content=\"light dark\"/>\n"
-                      "<style>{}\n{}</style>\n",
-                      kAnswerStyle, kSweepStyle)) +
+      report::document_head(title, {kAnswerStyle, kSweepStyle}) +
       "<header>\n<h1>" + title + "</h1>\n" +
       "<p class=\"about\">The transit time <i>T</i> of each "
       "scene as <i>τ</i> = <i>T</i> / √(<i>H</i> / 2<i>g</i>), on its "
@@ -349,7 +331,7 @@ std::string page(const SweepTable& table, const SweepFigures& planned,
   }
   out += "</header>\n<main>\n";
   if (pointed) out += directions(tracks);
-  out += drawn.html;
+  out += drawn.page.html();
   if (!tracks.empty())
     out += kTrackSection + report::playback_html() + kTrackWords;
   if (planned.figures.empty() && !table.outcomes.empty()) {
@@ -369,23 +351,22 @@ std::string page(const SweepTable& table, const SweepFigures& planned,
 
 }  // namespace
 
-SweepPage sweep_report(const SweepTable& table,
-                       const std::vector<SweepTrack>& tracks,
-                       const std::atomic<int>* interrupt) {
+report::DrawnFiles sweep_report(const SweepTable& table,
+                                const std::vector<SweepTrack>& tracks,
+                                const std::atomic<int>* interrupt) {
   report::check(table);
   const SweepFigures planned = report::sweep_figures(table);
-  SweepPage out;
-  Drawn drawn;
+  Drawn drawn{report::GrowingPage(interrupt)};
   for (const SweepFigure& figure : planned.figures) {
-    add_figure(table, figure, interrupt, out, drawn);
+    add_figure(table, figure, drawn);
   }
-  const bool listed = is_listed(table);
-  out.files.push_back({kAllScenes, report::sweep_csv(table)});
+  drawn.page.add_file(kAllScenes, report::sweep_csv(table));
   // Last, so that whoever sees the page sees what it refers to.
-  out.files.push_back(
-      {"index.html", page(table, planned, drawn,
-                          listed ? tracks : std::vector<SweepTrack>())});
-  return out;
+  drawn.page.add_file(
+      "index.html",
+      page(table, planned, drawn,
+           is_listed(table) ? tracks : std::vector<SweepTrack>()));
+  return drawn.page.files();
 }
 
 }  // namespace brachisto::plot

@@ -12,18 +12,14 @@
 
 #include "brachisto/report/result.hpp"
 #include "plot/sweep_data.hpp"
+#include "report/figure.hpp"
 #include "report/sweep_table.hpp"
 
 namespace brachisto::plot {
 
-/// The report of a sweep.
-struct SweepPage {
-  /// index.html, scenes.csv, and each picture as an SVG document with the table
-  /// and the gnuplot script that it is drawn from.
-  std::vector<report::OutputFile> files;
-  std::string missing;  ///< why pictures are missing; empty if none is
-};
-
+/// The report of a sweep: each picture as an SVG document with the table and
+/// the gnuplot script that it is drawn from, scenes.csv, and index.html.
+///
 /// The page needs nothing beside it, but that it shows pictures from their
 /// files when all take more than some megabytes. It is well-formed XML too.
 ///
@@ -38,9 +34,9 @@ struct SweepPage {
 /// \param tracks     in the order of scenes
 /// \param interrupt  nonzero: stop; may be null
 /// \throws Stopped
-[[nodiscard]] SweepPage sweep_report(const SweepTable& table,
-                                     const std::vector<SweepTrack>& tracks,
-                                     const std::atomic<int>* interrupt);
+[[nodiscard]] report::DrawnFiles sweep_report(
+    const SweepTable& table, const std::vector<SweepTrack>& tracks,
+    const std::atomic<int>* interrupt);
 
 /// Scenes that a page lists.
 inline constexpr std::size_t kMostRows = 3000;

@@ -7,14 +7,15 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <ranges>
 #include <system_error>
 #include <utility>
 
 #include "brachisto/math/clock.hpp"
+#include "brachisto/report/result.hpp"
 
 namespace brachisto::plot {
 
@@ -23,9 +24,10 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// What every table has.
-constexpr std::array<std::string_view, 15> kColumns{
-    "u",     "t",    "x_c", "z_c",   "x_cm", "z_cm", "x_b",    "z_b",
-    "theta", "beta", "v_c", "omega", "R_n",  "R_t",  "kappa_b"};
+const std::vector<report::TrajectoryColumnText>& needed_columns() {
+  static const auto kColumns = report::trajectory_column_texts();
+  return kColumns;
+}
 
 /// Cuts a text off at a letter; takes the rest if there is none.
 std::string_view taken(std::string_view& text, char end) {
@@ -77,16 +79,14 @@ TrajectoryTable TrajectoryTable::read(std::string_view csv) {
     numeric.push_back(name != kActive);
     if (numeric.back()) table.columns_.push_back({std::string(name), {}});
   }
-  const auto known = [](const TableColumn& column, std::string_view name) {
-    return column.name == name;
-  };
-  if (table.columns_.size() < kColumns.size() ||
-      !std::equal(kColumns.begin(), kColumns.end(), table.columns_.begin(),
-                  [&](std::string_view name, const TableColumn& column) {
-                    return known(column, name);
-                  })) {
+  const auto& needed = needed_columns();
+  const auto name = &report::TrajectoryColumnText::name;
+  if (!std::ranges::equal(needed,
+                          table.columns_ | std::views::take(needed.size()), {},
+                          name, &TableColumn::name)) {
     throw NoTrajectory(
-        fmt::format("line 1 does not begin with {}", fmt::join(kColumns, ",")));
+        fmt::format("line 1 does not begin with {}",
+                    fmt::join(needed | std::views::transform(name), ",")));
   }
   for (std::size_t line = 2; !csv.empty(); ++line) {
     check_stop();
@@ -143,7 +143,7 @@ double TrajectoryTable::parabola_slope(const std::vector<double>& values,
 double TrajectoryTable::curve_slope(const std::vector<double>& values,
                                     std::size_t row) const {
   const double slope = parabola_slope(values, row);
-  if (columns_.size() == kColumns.size()) return slope;
+  if (columns_.size() == needed_columns().size()) return slope;
   const auto chord = [&](std::size_t i) {
     return std::abs((values[i + 1] - values[i]) / (time()[i + 1] - time()[i]));
   };

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "brachisto/math/clock.hpp"
@@ -79,28 +80,6 @@ constexpr Column kColumns[] = {
     {{"kappa_b", "1/m", "curvature of the track"},
      [](const TrajectoryPoint& p) { return p.motion.kappa_b; }}};
 
-constexpr const char* kActive = "active";
-constexpr const char* kSlack = "slack_";
-
-std::string names_of_columns() {
-  std::string names;
-  for (const Column& column : kColumns) {
-    if (!names.empty()) names += ',';
-    names += column.text.name;
-  }
-  return names;
-}
-
-/// The cells of `kColumns`.
-std::string cells(const TrajectoryPoint& row, bool rolls) {
-  std::string out;
-  for (const Column& column : kColumns) {
-    if (!out.empty()) out += ',';
-    if (rolls || !column.rolling) out += in_full(column.value(row));
-  }
-  return out;
-}
-
 /// Names of the limits that hold as equations at a place, joined by +.
 std::string active_at(double sigma, const std::vector<LimitOnPath>& limits) {
   std::string names;
@@ -114,36 +93,63 @@ std::string active_at(double sigma, const std::vector<LimitOnPath>& limits) {
   return names;
 }
 
-}  // namespace
+/// A column of a trajectory: a number per row, which a bead may not have, or
+/// words.
+struct Cells {
+  std::string name;
+  std::function<double(const TrajectoryPoint&)> number = {};
+  std::function<std::string(const TrajectoryPoint&)> words = {};
+};
 
-std::string trajectory_csv(const Motion& motion) {
-  std::string out = names_of_columns() + '\n';
-  for (const TrajectoryPoint& row : motion.at_nodes()) {
-    check_stop();
-    out += cells(row, motion.scene().body.rolls()) + '\n';
+std::vector<Cells> cells_of(const Motion& motion) {
+  std::vector<Cells> columns;
+  for (const Column& column : kColumns) {
+    columns.push_back({std::string(column.text.name)});
+    if (motion.scene().body.rolls() || !column.rolling) {
+      columns.back().number = column.value;
+    }
   }
-  return out;
+  return columns;
 }
 
-std::string trajectory_csv(const Solution& solution) {
-  const Motion& motion = *solution.motion();
-  if (!solution.scene.limits.any()) return trajectory_csv(motion);
-  const std::vector<StatedLimit> limits = stated_limits(solution.scene);
-  std::string out = names_of_columns() + ',' + kActive;
-  for (const StatedLimit& limit : limits) {
-    out += std::string(",") + kSlack + limit.name;
+std::vector<Cells> cells_of(const Solution& solution) {
+  std::vector<Cells> columns = cells_of(*solution.motion());
+  if (!solution.scene.limits.any()) return columns;
+  columns.push_back({"active", {}, [&](const TrajectoryPoint& row) {
+                       return active_at(row.sigma, solution.limits);
+                     }});
+  for (const StatedLimit& limit : stated_limits(solution.scene)) {
+    columns.push_back({"slack_" + limit.name, limit.slack});
+  }
+  return columns;
+}
+
+std::string csv(const Motion& motion, const std::vector<Cells>& columns) {
+  std::string out;
+  for (const Cells& column : columns) {
+    out += (out.empty() ? "" : ",") + column.name;
   }
   out += '\n';
   for (const TrajectoryPoint& row : motion.at_nodes()) {
     check_stop();
-    out += cells(row, motion.scene().body.rolls()) + ',' +
-           active_at(row.sigma, solution.limits);
-    for (const StatedLimit& limit : limits) {
-      out += ',' + in_full(limit.slack(row));
+    for (const Cells& column : columns) {
+      if (&column != &columns.front()) out += ',';
+      if (column.words) out += column.words(row);
+      if (column.number) out += in_full(column.number(row));
     }
     out += '\n';
   }
   return out;
+}
+
+}  // namespace
+
+std::string trajectory_csv(const Motion& motion) {
+  return csv(motion, cells_of(motion));
+}
+
+std::string trajectory_csv(const Solution& solution) {
+  return csv(*solution.motion(), cells_of(solution));
 }
 
 std::vector<TrajectoryColumnText> trajectory_column_texts() {
@@ -153,31 +159,20 @@ std::vector<TrajectoryColumnText> trajectory_column_texts() {
 }
 
 std::vector<TrajectoryColumn> trajectory_columns(const Solution& solution) {
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  const Motion& motion = *solution.motion();
-  const bool rolls = motion.scene().body.rolls();
-  const std::vector<TrajectoryPoint> rows = motion.at_nodes();
-  const auto numbers_of = [&](const auto& value) {
-    std::vector<double> numbers;
-    numbers.reserve(rows.size());
-    for (const TrajectoryPoint& row : rows) numbers.push_back(value(row));
-    return numbers;
-  };
+  const std::vector<TrajectoryPoint> rows = solution.motion()->at_nodes();
   std::vector<TrajectoryColumn> columns;
-  for (const Column& column : kColumns) {
-    columns.push_back({std::string(column.text.name),
-                       rolls || !column.rolling
-                           ? numbers_of(column.value)
-                           : std::vector<double>(rows.size(), kNone),
-                       {}});
-  }
-  if (!solution.scene.limits.any()) return columns;
-  columns.push_back({kActive, {}, {}});
-  for (const TrajectoryPoint& row : rows) {
-    columns.back().words.push_back(active_at(row.sigma, solution.limits));
-  }
-  for (const StatedLimit& limit : stated_limits(solution.scene)) {
-    columns.push_back({kSlack + limit.name, numbers_of(limit.slack), {}});
+  for (const Cells& cells : cells_of(solution)) {
+    TrajectoryColumn& column = columns.emplace_back();
+    column.name = cells.name;
+    for (const TrajectoryPoint& row : rows) {
+      if (cells.words) {
+        column.words.push_back(cells.words(row));
+      } else {
+        column.numbers.push_back(
+            cells.number ? cells.number(row)
+                         : std::numeric_limits<double>::quiet_NaN());
+      }
+    }
   }
   return columns;
 }

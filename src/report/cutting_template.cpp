@@ -182,7 +182,7 @@ void check_build(const Build& build, const Scene& scene) {
   if (build.scale != 1.0 &&
       (scene.world.field_varies() || scene.world.air.any())) {
     throw TemplateError(
-        "in air, or in the field of a sphere, a model rolls otherwise than its "
+        "in air, or in a field that varies, a model rolls otherwise than its "
         "scene; --scale is 1:1 there");
   }
   if (scene.body.ball) return check_rails(build, *scene.body.ball);

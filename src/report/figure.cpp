@@ -92,9 +92,9 @@ std::string_view ending(Format format) {
   return kEndings[format];
 }
 
-DrawnFigure draw(const Figure& figure, Format format,
-                 const std::atomic<int>* interrupt) {
-  DrawnFigure drawn;
+DrawnFiles draw(const Figure& figure, Format format,
+                const std::atomic<int>* interrupt) {
+  DrawnFiles drawn;
   drawn.files = {{figure.name + ".csv", figure.table},
                  {figure.name + ".gp",
                   fmt::format("# gnuplot {0}.gp draws {0}.csv as {0}{1}\n"

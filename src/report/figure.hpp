@@ -56,19 +56,19 @@ enum class Format { Svg, Pdf, Png, Gif };
 /// ".svg", …
 [[nodiscard]] std::string_view ending(Format format);
 
-/// What is to be written of a figure.
-struct DrawnFigure {
-  /// `<name>.csv`, `<name>.gp` and, unless something is missing, the picture.
+/// What is to be written of a figure: `<name>.csv`, `<name>.gp` and, unless it
+/// is missing, the picture; or of a page with figures.
+struct DrawnFiles {
   std::vector<OutputFile> files;
-  std::string missing;  ///< why there is no picture; empty if there is one
+  std::string missing;  ///< why pictures are missing; empty if none is
 };
 
 /// Has gnuplot draw it, a child process that reads nothing but what it is given
 /// here, and is stopped after a minute; it needs 0.1 s.
 /// \param interrupt  nonzero: stop; may be null
 /// \throws Stopped
-[[nodiscard]] DrawnFigure draw(const Figure& figure, Format format,
-                               const std::atomic<int>* interrupt);
+[[nodiscard]] DrawnFiles draw(const Figure& figure, Format format,
+                              const std::atomic<int>* interrupt);
 
 /// For a string of gnuplot within single quotes that shows the text as it is,
 /// in enhanced text as well.

@@ -4,7 +4,10 @@
 #include "report/page.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <utility>
@@ -17,8 +20,8 @@ namespace brachisto::report {
 
 namespace {
 
-constexpr const char* kStyle = R"(<style>
-:root { color-scheme: light dark; --paper: #ffffff; --ink: #1a1a1a; --soft: #444444;
+constexpr const char* kStyle =
+    R"(:root { color-scheme: light dark; --paper: #ffffff; --ink: #1a1a1a; --soft: #444444;
   --line: #cccccc; --link: #1f4e8c; }
 @media screen and (prefers-color-scheme: dark) {
   :root { --paper: #15171b; --ink: #e4e4e2; --soft: #a6a9ae; --line: #4a4e55; --link: #8fbcf5; }
@@ -82,7 +85,6 @@ footer { margin-top: 3rem; font-size: .85rem; color: var(--soft); }
   h2 { break-after: avoid; }
   .files { display: none; }
 }
-</style>
 )";
 
 /// A drawing of gnuplot within a page: without its prologue, and with
@@ -107,64 +109,106 @@ std::string embedded(std::string svg, const std::string& name) {
   return svg;
 }
 
+std::string without_tags(std::string_view html) {
+  std::string out;
+  bool tag = false;
+  for (const char c : html) {
+    if (c == '<') tag = true;
+    if (!tag) out += c;
+    if (c == '>') tag = false;
+  }
+  return out;
+}
+
 }  // namespace
 
-std::string document_head(const std::string& title, const std::string& more) {
+std::string document_head(const std::string& title,
+                          std::initializer_list<std::string_view> styles) {
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
       "<meta name=\"viewport\" content=\"width=device-width, "
-      "initial-scale=1\"/>\n<title>{}</title>\n{}</head>\n<body>\n",
-      title, more);
+      "initial-scale=1\"/>\n<title>{}</title>\n<meta name=\"color-scheme\" "
+      "content=\"light dark\"/>\n<style>{}</style>\n</head>\n<body>\n",
+      title, fmt::join(styles, "\n"));
 }
 
 std::string page_head(const std::string& title, const std::string& more) {
-  return document_head(title, kStyle) +
+  return document_head(title, {kStyle}) +
          fmt::format("<h1>{}{}</h1>\n", title, more);
 }
 
-std::string figure_html(const DrawnFigure& drawn, const std::string& name,
-                        const std::string& caption, std::size_t& room) {
+bool GrowingPage::add(const Figure& figure, const std::string& caption) {
+  DrawnFiles drawn = draw(figure, Format::Svg, interrupt_);
+  ++pictures_;
   std::string picture, link;
   if (!drawn.missing.empty()) {
     picture = fmt::format("<p>{}</p>\n", xml_escaped(drawn.missing));
+    out_.missing = drawn.missing;
   } else {
     const std::string& svg = drawn.files.back().content;
     const std::string& file = drawn.files.back().name;
     link = fmt::format("<a href=\"{}\">SVG</a>, ", file);
-    if (svg.size() > room) {
+    if (svg.size() > room_) {
       picture = fmt::format("<img src=\"{0}\" alt=\"{0}\"/>\n", file);
     } else {
-      room -= svg.size();
-      picture = embedded(svg, name);
+      room_ -= svg.size();
+      picture = embedded(svg, figure.name);
     }
   }
-  return fmt::format(
+  html_ += fmt::format(
       "<figure>\n<div class=\"drawing\" "
       "id=\"drawing-{3}\">\n{0}</div>\n<figcaption>{1} "
       "<span class=\"files\">{2}<a href=\"{3}.csv\">CSV</a>, "
       "<a href=\"{3}.gp\">gnuplot</a></span></figcaption>\n</figure>\n",
-      picture, caption, link, name);
+      picture, caption, link, figure.name);
+  std::ranges::move(drawn.files, std::back_inserter(out_.files));
+  return drawn.missing.empty();
 }
 
-std::string html_table(const Rows& rows) {
-  const std::vector<std::string>& heads = rows.at(0);
-  std::string out = "<div class=\"wide\"><table class=\"stacked\"><thead><tr>";
+std::string GrowingPage::next_number() const {
+  return fmt::format("Figure {}. ", pictures_ + 1);
+}
+
+std::string html_table(const std::vector<std::string>& heads,
+                       const HtmlRows& rows, std::string_view style,
+                       bool names) {
+  std::string out =
+      fmt::format("<div class=\"wide\"><table class=\"{}\"><thead><tr>",
+                  style.empty() ? "stacked" : fmt::format("stacked {}", style));
   for (const std::string& head : heads) {
-    out += fmt::format("<th scope=\"col\">{}</th>", xml_escaped(head));
+    out += fmt::format("<th scope=\"col\">{}</th>", head);
   }
   out += "</tr></thead><tbody>\n";
-  for (std::size_t row = 1; row < rows.size(); ++row) {
+  for (const std::vector<HtmlCell>& row : rows) {
     out += "<tr>";
-    for (std::size_t i = 0; i < heads.size(); ++i) {
-      const std::string& cell = rows[row].at(i);
-      constexpr std::size_t kSentence = 32;  // letters that need no break
-      out += fmt::format("<td{} data-label=\"{}\">{}</td>",
-                         letters(cell) > kSentence ? " class=\"words\"" : "",
-                         xml_escaped(heads[i]), xml_escaped(cell));
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const auto& [html, of_cell] = row[i];
+      out += i == 0 && names
+                 ? fmt::format("<th scope=\"row\">{}</th>", html)
+                 : fmt::format("<td{} data-label=\"{}\">{}</td>",
+                               of_cell.empty()
+                                   ? ""
+                                   : fmt::format(" class=\"{}\"", of_cell),
+                               without_tags(heads.at(i)), html);
     }
     out += "</tr>\n";
   }
   return out + "</tbody></table></div>\n";
+}
+
+std::string html_table(const Rows& rows) {
+  std::vector<std::string> heads;
+  for (const std::string& head : rows.at(0)) heads.push_back(xml_escaped(head));
+  HtmlRows cells;
+  for (std::size_t row = 1; row < rows.size(); ++row) {
+    cells.emplace_back();
+    for (const std::string& cell : rows[row]) {
+      constexpr std::size_t kSentence = 32;  // letters that need no break
+      cells.back().push_back(
+          {xml_escaped(cell), letters(cell) > kSentence ? "words" : ""});
+    }
+  }
+  return html_table(heads, cells);
 }
 
 std::string folded_html(std::string_view summary, const std::string& content) {

@@ -6,9 +6,13 @@
 
 #pragma once
 
+#include <atomic>
 #include <cstddef>
+#include <initializer_list>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "report/figure.hpp"
 #include "report/result_texts.hpp"
@@ -16,11 +20,11 @@
 
 namespace brachisto::report {
 
-/// A page up to the end of its head and the beginning of its body.
-/// \param title  HTML
-/// \param more   of the head, HTML
-[[nodiscard]] std::string document_head(const std::string& title,
-                                        const std::string& more);
+/// A page up to the beginning of its body.
+/// \param title   HTML
+/// \param styles  style sheets
+[[nodiscard]] std::string document_head(
+    const std::string& title, std::initializer_list<std::string_view> styles);
 
 /// The page up to its first heading.
 /// \param title  HTML
@@ -31,16 +35,56 @@ namespace brachisto::report {
 /// Bytes of pictures that a page may hold.
 inline constexpr std::size_t kMostOfPictures = 4'000'000;
 
-/// A picture with its caption and links to its files; why there is none, if so.
-/// \param caption  HTML
-/// \param room     bytes left on the page: a picture that needs more is shown
-///                 from its file
-[[nodiscard]] std::string figure_html(const DrawnFigure& drawn,
-                                      const std::string& name,
-                                      const std::string& caption,
-                                      std::size_t& room);
+/// A page with pictures as it grows, and the files beside it.
+class GrowingPage {
+ public:
+  /// \param interrupt  nonzero: stop; may be null
+  explicit GrowingPage(const std::atomic<int>* interrupt)
+      : interrupt_(interrupt) {}
 
-/// A table of text, as blocks of lines on a narrow screen.
+  GrowingPage& operator+=(std::string_view html) {
+    html_ += html;
+    return *this;
+  }
+  /// Draws a picture with its caption and links to its files; one that needs
+  /// more bytes than are left is shown from its file.
+  /// \param caption  HTML
+  /// \return whether there is a picture; if not, the page says why
+  /// \throws Stopped
+  bool add(const Figure& figure, const std::string& caption);
+  void add_file(std::string name, std::string content) {
+    out_.files.push_back({std::move(name), std::move(content)});
+  }
+  /// Of the next picture, "Figure 2. ".
+  [[nodiscard]] std::string next_number() const;
+
+  [[nodiscard]] const std::string& html() const { return html_; }
+  [[nodiscard]] const DrawnFiles& files() const { return out_; }
+
+ private:
+  const std::atomic<int>* interrupt_;
+  std::string html_;
+  std::size_t room_ = kMostOfPictures;
+  int pictures_ = 0;
+  DrawnFiles out_;
+};
+
+/// A cell of a table: HTML, and its class.
+struct HtmlCell {
+  std::string html;
+  std::string_view style = {};
+};
+using HtmlRows = std::vector<std::vector<HtmlCell>>;
+
+/// A table of HTML, as blocks of lines on a narrow screen, where each cell is
+/// told its head.
+/// \param style  further class of the table
+/// \param names  whether the first cell of a row is its name
+[[nodiscard]] std::string html_table(const std::vector<std::string>& heads,
+                                     const HtmlRows& rows,
+                                     std::string_view style = "",
+                                     bool names = false);
+/// The same of text.
 [[nodiscard]] std::string html_table(const Rows& rows);
 
 /// What is folded until its summary is pressed.

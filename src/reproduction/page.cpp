@@ -7,7 +7,6 @@
 
 #include <cmath>
 #include <functional>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <utility>
@@ -30,30 +29,11 @@ using report::html_words;
 
 constexpr const char* kTitle = "Brachistochrones of off-centred cylinders";
 
-/// A table from the rows of its body, which are markup. Each cell is told its
-/// column, by whose name it is known where there is no room for columns.
-std::string html_table(const std::vector<std::string>& heads,
-                       const std::string& rows) {
-  constexpr std::string_view kRow = "<tr>", kCell = "<td";
-  std::string out = "<div class=\"wide\"><table class=\"stacked\"><thead><tr>";
-  for (const std::string& head : heads) {
-    out += fmt::format("<th>{}</th>", html_words(head));
-  }
-  out += "</tr></thead><tbody>\n";
-  std::size_t column = 0;
-  for (std::string_view rest = rows; !rest.empty();) {
-    if (rest.starts_with(kRow)) column = 0;
-    if (!rest.starts_with(kCell)) {
-      out += rest.front();
-      rest.remove_prefix(1);
-      continue;
-    }
-    out += fmt::format(
-        "{} data-label=\"{}\"", kCell,
-        report::xml_escaped(report::plain_words(heads.at(column++))));
-    rest.remove_prefix(kCell.size());
-  }
-  return out + "</tbody></table></div>\n";
+/// The heads being words with markup.
+std::string words_table(std::vector<std::string> heads,
+                        const report::HtmlRows& rows) {
+  for (std::string& head : heads) head = html_words(head);
+  return report::html_table(heads, rows);
 }
 
 /// Ours − paper with its sign and in percent, or that it agrees.
@@ -210,31 +190,33 @@ std::string cases_csv(const Cases& cases) {
 }
 
 std::string comparison_table(const std::vector<PrintedNumber>& numbers) {
-  std::string rows;
+  report::HtmlRows rows;
   for (const PrintedNumber& row : numbers) {
-    const std::string unit = row.unit.empty() ? "" : " " + row.unit;
-    rows += fmt::format(
-        "<tr><td class=\"brief\">{}<br/><small>{}</small></td><td>{}{}</td>"
-        "<td>{}{}</td><td class=\"brief\">{}</td>"
-        "<td class=\"words\">{}</td></tr>\n",
-        html_words(row.quantity), html_words(row.place), html_words(row.paper),
-        html_words(unit), with_error(row.ours), html_words(unit),
-        difference_text(row), html_words(row.remark));
+    const std::string unit = row.unit.empty() ? "" : html_words(" " + row.unit);
+    rows.push_back(
+        {{fmt::format("{}<br/><small>{}</small>", html_words(row.quantity),
+                      html_words(row.place)),
+          "brief"},
+         {html_words(row.paper) + unit},
+         {with_error(row.ours) + unit},
+         {difference_text(row), "brief"},
+         {html_words(row.remark), "words"}});
   }
-  return html_table({"quantity", "paper", "here", "here − paper", "remark"},
-                    rows);
+  return words_table({"quantity", "paper", "here", "here − paper", "remark"},
+                     rows);
 }
 
 std::string claims_table(const std::vector<Claim>& claims) {
-  std::string rows;
+  report::HtmlRows rows;
   for (const Claim& claim : claims) {
-    rows += fmt::format(
-        "<tr><td class=\"words\">{} <small>{}</small></td><td>{}</td>"
-        "<td class=\"words\">{}</td></tr>\n",
-        html_words(claim.statement), html_words(claim.place),
-        name(claim.verdict), html_words(claim.evidence));
+    rows.push_back(
+        {{fmt::format("{} <small>{}</small>", html_words(claim.statement),
+                      html_words(claim.place)),
+          "words"},
+         {name(claim.verdict)},
+         {html_words(claim.evidence), "words"}});
   }
-  return html_table({"statement of the paper", "verdict", "evidence"}, rows);
+  return words_table({"statement of the paper", "verdict", "evidence"}, rows);
 }
 
 std::string span(const Extreme& low, const Extreme& high) {
@@ -243,44 +225,43 @@ std::string span(const Extreme& low, const Extreme& high) {
 }
 
 std::string cases_table(const Cases& cases) {
-  std::string rows;
+  report::HtmlRows rows;
   for (const auto& [name, one] : cases.all()) {
     const PathDiagnostics& d = *one.fine.diagnostics;
     const bool rolls = one.scene().body.rolls();
-    rows += fmt::format(
-        "<tr><td><code>{}</code></td><td>{}</td><td>{:.6f}</td>"
-        "<td>{}</td><td>{}{}</td><td>{}</td>"
-        "<td>{}</td><td>{}</td></tr>\n",
-        name, with_error(one.tau()), one.motion().rail_length(),
-        span(d.normal_force_after_rise, d.max_normal_force),
-        span(d.curvature_after_rise, d.max_curvature),
-        bends_less_than_body(one) ? "" : " (&gt; 1/r)",
-        rolls ? fmt::format("{:.3f}", d.min_fold_margin.value) : "–",
-        rolls
-            ? fmt::format(
-                  "{:.0f} %, {:.0f} %, {:.0f} %", 100.0 * d.friction_above_0_3,
-                  100.0 * d.friction_above_0_5, 100.0 * d.friction_above_1)
-            : "–",
-        one.fine.feasible() ? "yes" : "no");
+    rows.push_back(
+        {{fmt::format("<code>{}</code>", name)},
+         {with_error(one.tau())},
+         {fmt::format("{:.6f}", one.motion().rail_length())},
+         {span(d.normal_force_after_rise, d.max_normal_force)},
+         {span(d.curvature_after_rise, d.max_curvature) +
+          (bends_less_than_body(one) ? "" : " (&gt; 1/r)")},
+         {rolls ? fmt::format("{:.3f}", d.min_fold_margin.value) : "–"},
+         {rolls ? fmt::format("{:.0f} %, {:.0f} %, {:.0f} %",
+                              100.0 * d.friction_above_0_3,
+                              100.0 * d.friction_above_0_5,
+                              100.0 * d.friction_above_1)
+                : "–"},
+         {one.fine.feasible() ? "yes" : "no"}});
   }
-  return html_table({"case", "τ", "track", "R_n [m g]: least minimum … largest",
-                     "κ_b [1/H]: the same", "least 1 − r κ_c",
-                     "time with |R_t|/R_n > 0.3, 0.5, 1", "feasible"},
-                    rows);
+  return words_table(
+      {"case", "τ", "track", "R_n [m g]: least minimum … largest",
+       "κ_b [1/H]: the same", "least 1 − r κ_c",
+       "time with |R_t|/R_n > 0.3, 0.5, 1", "feasible"},
+      rows);
 }
 
 std::string orientation_table(const std::vector<OrientationRow>& fastest) {
-  std::string rows;
+  report::HtmlRows rows;
   for (const OrientationRow& row : fastest) {
-    rows += fmt::format(
-        "<tr><td>{:.12f}</td><td>{}</td><td>{}</td><td>{:.9f}</td></tr>\n",
-        row.eta_m, with_error(row.fastest.theta_m),
-        with_minus_signs(
-            fmt::format("{:.5f}", row.fastest.theta_m.value * kDegrees)),
-        row.fastest.tau);
+    rows.push_back({{fmt::format("{:.12f}", row.eta_m)},
+                    {with_error(row.fastest.theta_m)},
+                    {with_minus_signs(fmt::format(
+                        "{:.5f}", row.fastest.theta_m.value * kDegrees))},
+                    {fmt::format("{:.9f}", row.fastest.tau)}});
   }
-  return html_table({"η_m", "θ_m of the smallest τ [rad]", "[°]", "τ there"},
-                    rows);
+  return words_table({"η_m", "θ_m of the smallest τ [rad]", "[°]", "τ there"},
+                     rows);
 }
 
 std::string_view kind(const DesignMinimum& found) {
@@ -291,21 +272,28 @@ std::string_view kind(const DesignMinimum& found) {
 
 /// "What is the quickest brachistochrone ever achievable by any object?"
 std::string open_question(const std::vector<QuickestBody>& bodies) {
-  std::string rows;
+  report::HtmlRows rows;
   for (const QuickestBody& row : bodies) {
-    rows += fmt::format("<tr><td>{:g}</td><td>{}</td>", row.L,
-                        html_words(row.any_k ? "any" : "1/2"));
+    auto& cells = rows.emplace_back();
+    const auto add = [&]<class... Args>(fmt::format_string<Args...> format,
+                                        Args&&... args) {
+      cells.push_back(
+          {with_minus_signs(fmt::format(format, std::forward<Args>(args)...))});
+    };
+    add("{:g}", row.L);
+    cells.push_back({html_words(row.any_k ? "any" : "1/2")});
     if (!row.found) {
-      rows +=
-          "<td>–</td><td>–</td><td>–</td><td>–</td><td>–</td><td>0</td></tr>\n";
+      cells.resize(cells.size() + 5, {"–"});
+      cells.push_back({"0"});
       continue;
     }
     const Body& body = row.found->body;
-    rows += with_minus_signs(fmt::format(
-        "<td>{:.9f}</td><td>{:.5f}</td><td>{:.5f}</td><td>{:.5f}</td>"
-        "<td>{}</td><td>{}</td></tr>\n",
-        row.found->tau, body.eta_m, body.theta_m, body.k, kind(*row.found),
-        row.found->found_from));
+    add("{:.9f}", row.found->tau);
+    add("{:.5f}", body.eta_m);
+    add("{:.5f}", body.theta_m);
+    add("{:.5f}", body.k);
+    add("{}", kind(*row.found));
+    add("{}", row.found->found_from);
   }
   const std::string words = fmt::format(
       "<p>The paper ends with the question what the quickest brachistochrone "
@@ -320,9 +308,9 @@ std::string open_question(const std::vector<QuickestBody>& bodies) {
       "(L² + H²)/(2L). Where there is no row none of {} searches came to such "
       "a body on the principal branch. docs/validation.md has more.</p>\n",
       html_words("k = 0"), kDesignStarts);
-  return words + html_table({"L", "k", "τ", "η_m", "θ_m [rad]", "k found",
-                             "what it is", "searches that led there"},
-                            rows);
+  return words + words_table({"L", "k", "τ", "η_m", "θ_m [rad]", "k found",
+                              "what it is", "searches that led there"},
+                             rows);
 }
 
 std::string introduction(const Results& found) {
@@ -380,31 +368,23 @@ Reproduction reproduce(const Results& found) {
   return {printed_numbers(found), judge(found), all_figures(found)};
 }
 
-PaperFiles files(const Results& found, const Reproduction& made,
-                 const std::atomic<int>* interrupt) {
-  PaperFiles written;
-  std::vector<report::OutputFile>& out = written.files;
-  std::string figures;
-  std::size_t room = report::kMostOfPictures;
+report::DrawnFiles files(const Results& found, const Reproduction& made,
+                         const std::atomic<int>* interrupt) {
+  report::GrowingPage figures(interrupt);
   for (const Figure& figure : made.figures) {
-    report::DrawnFigure drawn =
-        report::draw(figure.drawing, report::Format::Svg, interrupt);
-    figures += fmt::format("<h3>{}</h3>\n", html_words(figure.heading)) +
-               report::figure_html(drawn, figure.drawing.name,
-                                   html_words(figure.caption), room);
-    if (!drawn.missing.empty()) written.missing = drawn.missing;
-    std::move(drawn.files.begin(), drawn.files.end(), std::back_inserter(out));
+    figures += fmt::format("<h3>{}</h3>\n", html_words(figure.heading));
+    figures.add(figure.drawing, html_words(figure.caption));
   }
-  out.push_back(
-      {"comparison.csv", csv(comparison_columns(), made.comparisons)});
-  out.push_back({"claims.csv", csv(claim_columns(), made.claims)});
-  out.push_back({"cases.csv", cases_csv(found.cases)});
-  out.push_back(
-      {"orientations.csv", csv(orientation_columns(), found.orientations)});
-  out.push_back({"boundary.csv", boundary_csv(found)});
+  figures.add_file("comparison.csv",
+                   csv(comparison_columns(), made.comparisons));
+  figures.add_file("claims.csv", csv(claim_columns(), made.claims));
+  figures.add_file("cases.csv", cases_csv(found.cases));
+  figures.add_file("orientations.csv",
+                   csv(orientation_columns(), found.orientations));
+  figures.add_file("boundary.csv", boundary_csv(found));
   // Last, so that whoever sees the page sees what it refers to.
-  out.push_back({"index.html", page(found, made, figures)});
-  return written;
+  figures.add_file("index.html", page(found, made, figures.html()));
+  return figures.files();
 }
 
 std::string numbers_text(const Reproduction& made, report::TableForm form) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "brachisto/report/result.hpp"
+#include "report/figure.hpp"
 #include "report/text_table.hpp"
 #include "reproduction/claims.hpp"
 #include "reproduction/figures.hpp"
@@ -27,19 +28,15 @@ struct Reproduction {
 
 [[nodiscard]] Reproduction reproduce(const Results& found);
 
-struct PaperFiles {
-  std::vector<report::OutputFile> files;
-  std::string missing;  ///< why there are figures without a picture, or empty
-};
-
 /// index.html, which needs nothing beside it; comparison.csv, claims.csv,
 /// cases.csv, orientations.csv, boundary.csv; of every figure an SVG document,
 /// its numbers and a gnuplot script.
 ///
 /// \param interrupt  nonzero: stop; may be null
 /// \throws Stopped
-[[nodiscard]] PaperFiles files(const Results& found, const Reproduction& made,
-                               const std::atomic<int>* interrupt);
+[[nodiscard]] report::DrawnFiles files(const Results& found,
+                                       const Reproduction& made,
+                                       const std::atomic<int>* interrupt);
 
 /// The comparison and the claims for a terminal.
 [[nodiscard]] std::string numbers_text(const Reproduction& made,

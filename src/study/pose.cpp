@@ -173,7 +173,7 @@ std::vector<std::string> world_errors(const Scene& scene,
         program->discretisation.formulation == Formulation::RollingTime));
   if (known) return {};
   return {
-      "in a sphere's field, with a start speed, in air or with losses the "
+      "in a field that varies, with a start speed, in air or with losses the "
       "formulation is rolling_time, the search principal, the guess cycloid, "
       "and the method not the discrete system"};
 }

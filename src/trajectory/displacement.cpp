@@ -3,18 +3,19 @@
 
 #include "trajectory/displacement.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <span>
+#include <utility>
 
 #include "brachisto/math/index.hpp"
 #include "brachisto/math/jet.hpp"
 #include "brachisto/math/polynomial_basis.hpp"
 #include "model/field.hpp"
 #include "model/inertia.hpp"
+#include "trajectory/braking.hpp"
 
 namespace brachisto {
 
@@ -197,11 +198,9 @@ class SampledMotion {
   void brake(std::span<const Sample> points,
              const std::array<Bend, kInPanel>& bends,
              std::array<Displaced, kInPanel>& displaced, double& lost) const {
-    constexpr int kMostSteps = 60;
-    constexpr double kConverged = 1e-9;  // relative; the next step squares it
+    constexpr double kConverged = 1e-9;
     using Jet = math::Jet1<double, 1>;
-    using Vector = Eigen::Vector<double, kInPanel>;
-    Vector w, known;
+    Eigen::Vector<double, kInPanel> w, known;
     for (int i = 0; i < kInPanel; ++i) {
       const Sample& here = points[at(i)];
       w[i] = std::sqrt(2.0 * here.half_w2);
@@ -210,39 +209,25 @@ class SampledMotion {
         known[i] += here.s_in_panel[j] * points[at(j)].drag;
       }
     }
-    Vector loss, by_w;
-    for (int step = 0; step < kMostSteps && w.allFinite(); ++step) {
-      for (int i = 0; i < kInPanel; ++i) {
-        const Jet speed =
-            Jet::variable(w[i], 0) * (1.0 / std::sqrt(displaced[at(i)].A));
-        const Jet found = drag(scene_.world.air, speed);
-        loss[i] = bends[at(i)].stretch * found.value;
-        by_w[i] = bends[at(i)].stretch * found.gradient[0];
-      }
-      // ½ w*_i² + Σ a_ij D*_j (ds*/ds)_j is known: convex in w*.
-      Eigen::Matrix<double, kInPanel, kInPanel> matrix;
-      Vector miss;
-      for (int i = 0; i < kInPanel; ++i) {
-        miss[i] = known[i] - 0.5 * w[i] * w[i];
-        for (int j = 0; j < kInPanel; ++j) {
-          const double weight = points[at(i)].s_in_panel[j];
-          miss[i] -= weight * loss[j];
-          matrix(i, j) = weight * by_w[j];
-        }
-        matrix(i, i) += w[i];
-      }
-      const Vector by = matrix.partialPivLu().solve(miss);
-      const double change = (by.array() / w.array()).abs().maxCoeff();
-      w = (w + by).cwiseMax(0.1 * w).eval();
-      if (!(change <= kConverged)) continue;
-      for (int i = 0; i < kInPanel; ++i) {
-        const Sample& here = points[at(i)];
-        displaced[at(i)].half_w2 = 0.5 * w[i] * w[i];
-        lost += here.ds * (loss[i] + by_w[i] * by[i] - here.drag);
-      }
+    const auto found = braked_speeds(
+        w, known, [&](int i, int j) { return points[at(i)].s_in_panel[j]; },
+        [&](int i, double w_i) {
+          const Jet speed =
+              Jet::variable(w_i, 0) * (1.0 / std::sqrt(displaced[at(i)].A));
+          const Jet loss = drag(scene_.world.air, speed);
+          const double stretch = -bends[at(i)].stretch;
+          return std::pair(stretch * loss.value, stretch * loss.gradient[0]);
+        },
+        kConverged);
+    if (!found) {
+      displaced.fill({1.0, std::numeric_limits<double>::quiet_NaN()});
       return;
     }
-    displaced.fill({1.0, std::numeric_limits<double>::quiet_NaN()});
+    for (int i = 0; i < kInPanel; ++i) {
+      const Sample& here = points[at(i)];
+      displaced[at(i)].half_w2 = 0.5 * found->w[i] * found->w[i];
+      lost += here.ds * (-found->rate[i] - here.drag);
+    }
   }
 
   const Scene& scene_;

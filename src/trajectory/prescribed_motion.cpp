@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,6 +18,7 @@
 #include "math/roots.hpp"
 #include "model/energy.hpp"
 #include "model/path_inequality.hpp"
+#include "trajectory/braking.hpp"
 #include "trajectory/gauss_step.hpp"
 
 namespace brachisto {
@@ -134,49 +134,34 @@ double PrescribedMotion::start_curvature() const {
 /// stops the body; returns that at the end.
 double PrescribedMotion::brake(const Sums& from, double width,
                                Points& points) const {
-  constexpr int kMostSteps = 60;
-  constexpr double kConverged = 1e-10;  // relative; the next step squares it
+  constexpr double kConverged = 1e-10;
   using Jet = math::Jet1<double, 1>;
   using Vector = Eigen::Vector<double, gauss_step::kPoints>;
-  const math::SmallMatrix& to_point = gauss_step::integration_to_points();
   const Vector weights =
       Eigen::Map<const Vector>(gauss_step::rule().weights.data());
-  Vector w = Eigen::Map<const Vector>(points.energy.data());
-  w = (2.0 * w).cwiseSqrt().eval();
-  Vector gain, by_w;
-  for (int step = 0; step < kMostSteps && w.allFinite(); ++step) {
-    for (int i = 0; i < gauss_step::kPoints; ++i) {
-      const CurvePlace& place = points.places[brachisto::at(i)];
-      const double theta = theta_after(points.s[brachisto::at(i)]);
-      const Point centre = point_of(*curve_, place);
-      const Jet found =
-          speed_gain(scene_, Jet(centre.x), Jet(centre.z), Jet(theta),
-                     Jet::variable(w[i], 0), Jet(place.beta),
-                     Jet(root_of_inertia(scene_, theta, place.beta)));
-      gain[i] = width * place.speed * found.value;
-      by_w[i] = width * place.speed * found.gradient[0];
-    }
-    // ½ w_i² = ½ w² + Σ a_ij gain_j: quadratic in w, so that Newton's method
-    // comes down from above.
-    Eigen::Matrix<double, gauss_step::kPoints, gauss_step::kPoints> matrix;
-    Vector miss;
-    for (int i = 0; i < gauss_step::kPoints; ++i) {
-      miss[i] = from.energy - 0.5 * w[i] * w[i];
-      for (int j = 0; j < gauss_step::kPoints; ++j) {
-        miss[i] += to_point(i, j) * gain[j];
-        matrix(i, j) = -to_point(i, j) * by_w[j];
-      }
-      matrix(i, i) += w[i];
-    }
-    const Vector by = matrix.partialPivLu().solve(miss);
-    const double change = (by.array() / w.array()).abs().maxCoeff();
-    w = (w + by).cwiseMax(0.1 * w).eval();
-    if (!(change <= kConverged)) continue;
-    Eigen::Map<Vector>(points.energy.data()) = 0.5 * w.cwiseAbs2();
-    return from.energy + weights.dot(gain + by_w.cwiseProduct(by));
+  Eigen::Map<Vector> energies(points.energy.data());
+  const auto found = braked_speeds(
+      Vector((2.0 * energies).cwiseSqrt()),
+      Vector(Vector::Constant(from.energy)),
+      gauss_step::integration_to_points(),
+      [&](int i, double w) {
+        const CurvePlace& place = points.places[brachisto::at(i)];
+        const double theta = theta_after(points.s[brachisto::at(i)]);
+        const Point centre = point_of(*curve_, place);
+        const Jet gain =
+            speed_gain(scene_, Jet(centre.x), Jet(centre.z), Jet(theta),
+                       Jet::variable(w, 0), Jet(place.beta),
+                       Jet(root_of_inertia(scene_, theta, place.beta)));
+        const double length = width * place.speed;
+        return std::pair(length * gain.value, length * gain.gradient[0]);
+      },
+      kConverged);
+  if (!found) {
+    points.energy.fill(std::numeric_limits<double>::quiet_NaN());
+    return points.energy.back();
   }
-  points.energy.fill(std::numeric_limits<double>::quiet_NaN());
-  return points.energy.back();
+  energies = 0.5 * found->w.cwiseAbs2();
+  return from.energy + weights.dot(found->rate);
 }
 
 std::variant<PrescribedMotion::Sums, Stall> PrescribedMotion::advance(

@@ -51,7 +51,7 @@ Measurement failed(Outcome outcome) {
   return run;
 }
 
-std::string content(const ComparisonFiles& made, const std::string& name) {
+std::string content(const report::DrawnFiles& made, const std::string& name) {
   const auto found =
       std::ranges::find(made.files, name, &report::OutputFile::name);
   return found == made.files.end() ? "" : found->content;
@@ -79,7 +79,7 @@ WorkPrecision work_precision() {
 TEST(ComparisonPage, OfWorkAndPrecisionIsWholeAndAlone) {
   const WorkPrecision found = work_precision();
 
-  const ComparisonFiles made = files_of(found, nullptr);
+  const report::DrawnFiles made = files_of(found, nullptr);
 
   ASSERT_EQ(made.files.back().name, "index.html") << "written last";
   const std::string& page = made.files.back().content;
@@ -126,7 +126,7 @@ TEST(ComparisonPage, TellsWhatHasNoResultInWords) {
 }
 
 TEST(ComparisonPage, HasTheTimeOnTheMeshApart) {
-  const ComparisonFiles made = files_of(work_precision(), nullptr);
+  const report::DrawnFiles made = files_of(work_precision(), nullptr);
 
   // Three quarters of 1 ms on the first mesh.
   EXPECT_TRUE(has(content(made, "work_precision_mesh.csv"), ",0.00075\n"))
@@ -146,7 +146,7 @@ MethodComparison comparison() {
 }
 
 TEST(ComparisonPage, OfMethodsHasANameAtEachMark) {
-  const ComparisonFiles made = files_of(comparison(), nullptr);
+  const report::DrawnFiles made = files_of(comparison(), nullptr);
 
   const std::string page = content(made, "index.html");
   EXPECT_EQ(xml_flaw(page), "");
@@ -173,7 +173,7 @@ TEST(ComparisonPage, WithoutAReferenceHasNoPicture) {
   made.reference.reset();
   for (ComparisonRow& row : made.rows) row.error.reset();
 
-  const ComparisonFiles files = files_of(made, nullptr);
+  const report::DrawnFiles files = files_of(made, nullptr);
 
   EXPECT_EQ(xml_flaw(content(files, "index.html")), "");
   EXPECT_FALSE(has(content(files, "index.html"), "<figure>"));

@@ -327,10 +327,11 @@ TEST(OtherWorlds, AreRefusedByWhatIsDerivedForTheOrdinaryOne) {
   for (const std::string stated :
        {"discretisation: {formulation: arc_length}", "solver: {method: fsolve}",
         "solver: {search: global}", "solver: {guess: straight}"}) {
-    EXPECT_NE(errors(scene + stated + "\n")
-                  .find("is not allowed with a sphere's field, a start speed, "
-                        "air or losses: "),
-              std::string::npos)
+    EXPECT_NE(
+        errors(scene + stated + "\n")
+            .find("is not allowed with a field that varies, a start speed, "
+                  "air or losses: "),
+        std::string::npos)
         << stated;
   }
 }

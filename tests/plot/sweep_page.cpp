@@ -159,7 +159,7 @@ TEST(SweepReport, HasNoDigitBeyondTheError) {
 TEST(SweepReport, WithoutGnuplotSaysSoAndHasTablesAndScripts) {
   const std::string before = std::getenv("PATH");
   ::setenv("PATH", "/no/such/directory", 1);
-  const plot::SweepPage page = plot::sweep_report(plane(), {}, nullptr);
+  const report::DrawnFiles page = plot::sweep_report(plane(), {}, nullptr);
   ::setenv("PATH", before.c_str(), 1);
 
   ASSERT_EQ(page.files.size(), 4u);

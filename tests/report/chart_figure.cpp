@@ -38,7 +38,7 @@ Chart everything() {
 }
 
 std::string svg_of(const Chart& chart) {
-  const DrawnFigure drawn = draw(chart_figure(chart), Format::Svg, nullptr);
+  const DrawnFiles drawn = draw(chart_figure(chart), Format::Svg, nullptr);
   EXPECT_EQ(drawn.missing, "");
   return drawn.files.back().content;
 }

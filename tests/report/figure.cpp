@@ -26,7 +26,7 @@ Figure line() {
               "with lines title 'a'\n"};
 }
 
-std::vector<std::string> names(const DrawnFigure& drawn) {
+std::vector<std::string> names(const DrawnFiles& drawn) {
   std::vector<std::string> out;
   for (const OutputFile& file : drawn.files) out.push_back(file.name);
   return out;
@@ -49,7 +49,7 @@ class Environment {
 };
 
 TEST(Figure, IsATableAScriptAndAPicture) {
-  const DrawnFigure drawn = draw(line(), Format::Svg, nullptr);
+  const DrawnFiles drawn = draw(line(), Format::Svg, nullptr);
 
   ASSERT_EQ(drawn.missing, "");
   EXPECT_EQ(names(drawn),
@@ -62,7 +62,7 @@ TEST(Figure, HasATitleForThoseWhoCannotSeeIt) {
   Figure figure = line();
   figure.title = "a < b & c";
 
-  const DrawnFigure drawn = draw(figure, Format::Svg, nullptr);
+  const DrawnFiles drawn = draw(figure, Format::Svg, nullptr);
 
   EXPECT_NE(drawn.files.back().content.find("<title>a &lt; b &amp; c</title>"),
             std::string::npos);
@@ -70,7 +70,7 @@ TEST(Figure, HasATitleForThoseWhoCannotSeeIt) {
 
 TEST(Figure, IsDrawnInEachFormat) {
   const auto begin = [](Format format) {
-    const DrawnFigure drawn = draw(line(), format, nullptr);
+    const DrawnFiles drawn = draw(line(), format, nullptr);
     return drawn.missing.empty() ? drawn.files.back().content.substr(0, 4)
                                  : drawn.missing;
   };
@@ -83,7 +83,7 @@ TEST(Figure, IsDrawnInEachFormat) {
 TEST(Figure, WithoutGnuplotIsATableAndAScriptAndSaysSo) {
   const Environment nothing("PATH", "/no/such/directory");
 
-  const DrawnFigure drawn = draw(line(), Format::Svg, nullptr);
+  const DrawnFiles drawn = draw(line(), Format::Svg, nullptr);
 
   EXPECT_EQ(names(drawn), (std::vector<std::string>{"line.csv", "line.gp"}));
   EXPECT_NE(drawn.missing.find("line.svg is not drawn"), std::string::npos);
@@ -94,7 +94,7 @@ TEST(Figure, OfCommandsThatGnuplotRefusesIsNotDrawn) {
   Figure figure = line();
   figure.commands = "plot no_such_function(x)\n";
 
-  const DrawnFigure drawn = draw(figure, Format::Svg, nullptr);
+  const DrawnFiles drawn = draw(figure, Format::Svg, nullptr);
 
   EXPECT_EQ(names(drawn), (std::vector<std::string>{"line.csv", "line.gp"}));
   EXPECT_NE(drawn.missing, "");
@@ -112,7 +112,7 @@ TEST(Figure, ShowsWordsOfOthersAsTheyAre) {
   figure.commands =
       "set title '" + gnuplot_escaped(words) + "'\n" + figure.commands;
 
-  const DrawnFigure drawn = draw(figure, Format::Svg, nullptr);
+  const DrawnFiles drawn = draw(figure, Format::Svg, nullptr);
 
   ASSERT_EQ(drawn.missing, "");
   EXPECT_NE(drawn.files.back().content.find(

@@ -64,7 +64,7 @@ TEST(PathFigure, SaysByItsTitleWhatItIs) {
 TEST(PathFigure, IsDrawn) {
   for (const Solution* solution :
        {&off_centred_solution(), &uniform_solution(), &bead_solution()}) {
-    const report::DrawnFigure drawn =
+    const report::DrawnFiles drawn =
         report::draw(figure_of(*solution), report::Format::Svg, nullptr);
 
     ASSERT_EQ(drawn.missing, "");
@@ -151,7 +151,7 @@ Solution above_a_floor() {
 
 TEST(PathFigure, OfLimitsIsDrawn) {
   for (const Solution& solution : {limited_solution(), above_a_floor()}) {
-    const report::DrawnFigure drawn =
+    const report::DrawnFiles drawn =
         report::draw(figure_of(solution), report::Format::Svg, nullptr);
 
     ASSERT_EQ(drawn.missing, "");

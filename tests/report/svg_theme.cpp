@@ -38,7 +38,7 @@ TEST(DarkGround, KeepsTheContrastOfColours) {
   }
 }
 
-DrawnFigure drawn(const std::string& commands) {
+DrawnFiles drawn(const std::string& commands) {
   return draw({.name = "line",
                .table = "part,x,y\na,0,1\na,1,3\n",
                .commands = commands +
@@ -48,7 +48,7 @@ DrawnFigure drawn(const std::string& commands) {
 }
 
 TEST(Theme, TellsDarkColoursOfGroundLinesAndWords) {
-  const DrawnFigure figure = drawn("set border lc rgb '#333333'\n");
+  const DrawnFiles figure = drawn("set border lc rgb '#333333'\n");
   ASSERT_EQ(figure.missing, "");
   const std::string& svg = figure.files.back().content;
 

@@ -37,7 +37,7 @@ XyPlot curve(const SweepTable& table) {
 
 /// The picture; it has to be drawn and well formed.
 std::string svg_of(const Figure& figure) {
-  const DrawnFigure drawn = draw(figure, Format::Svg, nullptr);
+  const DrawnFiles drawn = draw(figure, Format::Svg, nullptr);
   EXPECT_EQ(drawn.missing, "");
   EXPECT_EQ(xml_flaw(drawn.files.back().content), "");
   return drawn.files.back().content;

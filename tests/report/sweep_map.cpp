@@ -52,7 +52,7 @@ constexpr ValueRange kRange{5.0, 7.0};
 
 /// The picture; it has to be drawn and well formed.
 std::string svg_of(const Figure& figure) {
-  const DrawnFigure drawn = draw(figure, Format::Svg, nullptr);
+  const DrawnFiles drawn = draw(figure, Format::Svg, nullptr);
   EXPECT_EQ(drawn.missing, "") << figure.commands;
   EXPECT_EQ(xml_flaw(drawn.files.back().content), "");
   return drawn.files.back().content;

@@ -30,6 +30,7 @@ inline constexpr const char* kProofPage = "proof.md";
 /// \param stop  ends it: nothing is proven then
 /// \return proof.json and proof.md; none if nothing is proven
 [[nodiscard]] std::vector<report::OutputFile> prove_answer(
-    Solution& solution, const StopCondition& stop, const ProgressHook& progress);
+    Solution& solution, const StopCondition& stop,
+    const ProgressHook& progress);
 
 }  // namespace brachisto::app

@@ -71,10 +71,9 @@ int run(const SolveFlags& flags) {
       tell(fmt::format("brachisto: to be solved: {}\n", in_words(*size)));
     }
   }
-  Solution solution = solve_in_time(problem, flags.json,
-                                    {.interrupt = &signal,
-                                     .verbose = flags.verbose,
-                                     .progress = hook});
+  Solution solution = solve_in_time(
+      problem, flags.json,
+      {.interrupt = &signal, .verbose = flags.verbose, .progress = hook});
   std::vector<report::OutputFile> proof;
   if (proves) {
     const StopCondition stop(

@@ -60,12 +60,13 @@ Field<Solution> proof_field() {
         if_proven(&P::off_at_most), true},
        {"within_estimate", "", "nor further than its estimated error",
         if_proven(&P::within_estimate), true},
-       list("theorems", "each by itself", &P::statements,
-            {{"name", "", "as in proof.json", &Of::name},
-             {"holds", "", "it is proven", &Of::holds},
-             {"why_not", "", "why not",
-              [](const Of& s) { return only_if(!s.why_not.empty(), s.why_not); },
-              true}}),
+       list(
+           "theorems", "each by itself", &P::statements,
+           {{"name", "", "as in proof.json", &Of::name},
+            {"holds", "", "it is proven", &Of::holds},
+            {"why_not", "", "why not",
+             [](const Of& s) { return only_if(!s.why_not.empty(), s.why_not); },
+             true}}),
        {"bits", "", "of its precision", if_proven(&P::bits), true},
        {"cpu_seconds", "s", "processor time", &P::cpu_seconds}});
   field.may_lack = true;
@@ -191,7 +192,8 @@ Fields<Solution> search_fields() {
            {"of_junctions", "",
             "and of the places where arcs meet, as shares of U",
             &E::of_junctions, true}}),
-      proof_field(), discrete_field()};
+      proof_field(),
+      discrete_field()};
 }
 
 Field<Solution> seconds_field() {

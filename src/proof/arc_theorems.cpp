@@ -77,12 +77,13 @@ void positive_within(const ShownArc& arc, const Accuracy& accuracy, Zeros zeros,
 /// How a limit's distance from a bound vanishes where its boundary begins or
 /// ends: like u², for the path touches it. Where a bend is held from rest on,
 /// that of the other bend is 0 at rest as well, like w.
-Zeros touches(const ShownArc& arc, const PathInequality& limit) {
+Zeros touches(const ShownArc& arc, const PathInequality& limit, double bound) {
   using Kind = PathInequality::Kind;
   const bool bends = limit.kind == Kind::Hump || limit.kind == Kind::Valley;
   if (bends && bent_from_rest(arc)) return {1, 0};
   const auto at = [&](const Held* other, std::size_t junction) {
-    if (other == nullptr || !*other || !same_limit((*other)->limit, limit)) {
+    if (other == nullptr || !*other || (*other)->bound != bound ||
+        !same_limit((*other)->limit, limit)) {
       return 0;
     }
     if (along_boundary(*other)) return 2;
@@ -110,7 +111,7 @@ void keeps_limits(const ShownArc& arc, const Accuracy& accuracy,
       const std::string what =
           fmt::format("that the limit {} is kept", name(limits[i].kind));
       positive_within(
-          arc, accuracy, touches(arc, limits[i]),
+          arc, accuracy, touches(arc, limits[i], bound),
           [&](const Step& step, const Real& u, int drop) {
             const Real found = step.value(node, u, drop);
             return sign * (drop > 0 ? found : found - Real(bound));
@@ -121,12 +122,14 @@ void keeps_limits(const ShownArc& arc, const Accuracy& accuracy,
 }
 
 /// p_β vanishes with its rate where a free arc is next, and by itself at A and
-/// B and where the control goes from one side to the other.
+/// B, where the control goes from one side to the other, and in front of a
+/// boundary, where h_β = 0 holds behind the jump alone.
 Zeros zeros_of_costate(const ShownArc& arc) {
   const bool optimal = ::brachisto::arcs::has_optimal_ends(arc.chain.scene);
   const auto at = [&](const Held* other, std::size_t junction) {
     if (other == nullptr) return optimal ? 0 : 1;
-    if (!along_bound(*other)) return 2;
+    if (!*other) return 2;
+    if (along_boundary(*other)) return 1;
     return arc.chain.opposite[junction] ? 1 : 0;
   };
   Zeros out{at(arc.before(), arc.number), at(arc.behind(), arc.number + 1)};

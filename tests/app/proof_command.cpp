@@ -29,7 +29,7 @@ constexpr const char* kOnFloor =
 
 TEST(CertifyProof, TellsBoundsAndWritesTheCertificate) {
   const ScratchDirectory directory;
-  const std::string file = directory.write(
+  const std::string file = directory.file(
       "case.yaml", std::string(kOnFloor) + "solver: {certify: proof}\n");
   const std::string out = (directory.path() / "out").string();
   const Output solved = run({"solve", file, "--out", out, "--json"});
@@ -61,10 +61,10 @@ TEST(CertifyProof, TellsBoundsAndWritesTheCertificate) {
 TEST(CertifyProof, LeavesAnAnswerThatItCannotProve) {
   const ScratchDirectory directory;
   const std::string file =
-      directory.write("case.yaml",
-                      "scene:\n  body: {shape: cylinder, radius: 1/3, k: 1/2}\n"
-                      "  finish: {L: 3, H: 1}\n  limits: {friction: 0.3}\n"
-                      "solver: {certify: proof}\n");
+      directory.file("case.yaml",
+                     "scene:\n  body: {shape: cylinder, radius: 1/3, k: 1/2}\n"
+                     "  finish: {L: 3, H: 1}\n  limits: {friction: 0.3}\n"
+                     "solver: {certify: proof}\n");
   const Output solved = run({"solve", file, "--json"});
   EXPECT_EQ(solved.code, 0) << solved.err;
   const json result = json::parse(solved.out);
@@ -79,7 +79,7 @@ TEST(CertifyProof, LeavesAnAnswerThatItCannotProve) {
 TEST(CertifyProof, IsRefusedWithoutArb) {
   const ScratchDirectory directory;
   const Output solved = run(
-      {"solve", directory.write("case.yaml", kOnFloor), "--certify", "proof"});
+      {"solve", directory.file("case.yaml", kOnFloor), "--certify", "proof"});
   EXPECT_EQ(solved.code, 2);
   EXPECT_NE(solved.err.find("without Arb"), std::string::npos);
 }
@@ -90,9 +90,9 @@ TEST(CertifyProof, IsRefusedOfASweep) {
   const ScratchDirectory directory;
   const std::string out = (directory.path() / "out").string();
   const std::string file =
-      directory.write("sweep.yaml", std::string(kOnFloor) +
-                                        "solver: {certify: proof}\n"
-                                        "sweep: {scene.finish.L: [2, 3]}\n");
+      directory.file("sweep.yaml", std::string(kOnFloor) +
+                                       "solver: {certify: proof}\n"
+                                       "sweep: {scene.finish.L: [2, 3]}\n");
   const Output swept = run({"sweep", file, "--out", out});
   EXPECT_EQ(swept.code, 3);
   EXPECT_NE(swept.err.find("solver.certify: a sweep proves nothing"),

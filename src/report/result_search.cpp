@@ -5,7 +5,10 @@
 /// Keys of a result document that tell how the answer was sought: the work,
 /// the time, and what else was found.
 
+#include <fmt/format.h>
+
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -194,6 +197,22 @@ Fields<Solution> search_fields() {
             &E::of_junctions, true}}),
       proof_field(),
       discrete_field()};
+}
+
+std::string in_words(const Proof& proof) {
+  if (!proof.not_proven_because.empty()) {
+    return "none: " + proof.not_proven_because;
+  }
+  std::string out = fmt::format(
+      "one extremal with τ in [{}, {}]; the τ above is off by at most {:.0e}, "
+      "{} its estimated error",
+      proof.tau_lower, proof.tau_upper, proof.off_at_most,
+      proof.within_estimate ? "within" : "more than");
+  for (const Proof::Statement& each : proof.statements) {
+    if (each.why_not.empty()) continue;
+    out += fmt::format("; not proven: {} ({})", each.name, each.why_not);
+  }
+  return out;
 }
 
 Field<Solution> seconds_field() {

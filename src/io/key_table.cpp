@@ -589,10 +589,9 @@ Keys solver_keys() {
        "last digits by Newton's method on the optimality conditions and the "
        "contact together"},
       {"solver.certify",
-       choice<kProgram, &Collocation::certify>(
-           {{"none", Certify::None},
-            {"extremal", Certify::Extremal},
-            {"proof", Certify::Proof}}),
+       choice<kProgram, &Collocation::certify>({{"none", Certify::None},
+                                                {"extremal", Certify::Extremal},
+                                                {"proof", Certify::Proof}}),
        "extremal: solve once more by multiple shooting and compare; proof: "
        "enclose the extremal, as `brachisto prove` does; of one scene"},
       {"solver.sensitivities",

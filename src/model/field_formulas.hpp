@@ -71,10 +71,11 @@ template <class Scalar>
   const auto outside = [&]() -> Scalar {
     return Scalar(-at_surface * R * R * R) / (square * sqrt(square));
   };
-  const Scalar per_length = !side ? where_above(square, sphere.radius * sphere.radius,
-                                             outside, inside)
-                            : *side == FieldSide::Outside ? outside()
-                                                          : inside();
+  const Scalar per_length =
+      !side
+          ? where_above(square, sphere.radius * sphere.radius, outside, inside)
+      : *side == FieldSide::Outside ? outside()
+                                    : inside();
   return {dx * per_length, dz * per_length};
 }
 

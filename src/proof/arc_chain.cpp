@@ -100,8 +100,7 @@ NearChain one_free_arc(const Scene& scene) {
 }
 
 /// The limits of each arc, in SI, as the program has them in natural units.
-std::vector<Held> held_along(const Scene& scene,
-                             const std::vector<Arc>& arcs) {
+std::vector<Held> held_along(const Scene& scene, const std::vector<Arc>& arcs) {
   const std::vector<PathInequality> limits =
       inequalities(scene.body, scene.limits);
   std::vector<Held> out;
@@ -123,8 +122,7 @@ std::vector<Held> held_along(const Scene& scene,
 
 /// Whether a limit of the control bounds q from above there.
 bool from_above(const Held& held, const Scene& scene, const Nodes& y) {
-  TurningPoint<double> place{y[kX],    y[kZ], y[kTheta],
-                             y[kW], y[kBeta], 0.0};
+  TurningPoint<double> place{y[kX], y[kZ], y[kTheta], y[kW], y[kBeta], 0.0};
   const double without = value_of(held->limit, scene, place);
   place.q = 1.0;
   const bool grows = value_of(held->limit, scene, place) > without;
@@ -156,8 +154,7 @@ NearChain under_limits(const Scene& scene) {
   }
   for (std::size_t a = 0; a < stretches.size(); ++a) {
     refuse_passage(scene, [&](double share) {
-      const auto y =
-          found.path.at(a, share * stretches[a].duration).y;
+      const auto y = found.path.at(a, share * stretches[a].duration).y;
       namespace n = ::brachisto::arcs;
       return std::array{y[n::kX] * units.length, y[n::kZ] * units.length,
                         y[n::kTheta]};
@@ -192,10 +189,24 @@ std::size_t ArcChain::jump(std::size_t arc) const {
   return out;
 }
 
+std::vector<double> ArcChain::units() const {
+  const Units natural = natural_units(scene);
+  Nodes one;
+  one.fill(1.0);
+  const Nodes node = in_si(one, natural);
+  std::vector<double> out;
+  for (std::size_t a = 0; a < arcs.size(); ++a) {
+    out.insert(out.end(), node.begin(), node.end());
+    out.push_back(natural.time);
+  }
+  out.resize(num_unknowns(), natural.time / natural.length);
+  for (double& unit : out) unit = std::exp2(std::round(std::log2(unit)));
+  return out;
+}
+
 std::vector<std::string> ArcChain::names() const {
-  constexpr std::array kNames{"x",   "z",       "theta", "w",
-                              "p_x", "p_z",     "p_theta", "p_w",
-                              "beta", "p_beta", "U"};
+  constexpr std::array kNames{"x",       "z",   "theta", "w",      "p_x", "p_z",
+                              "p_theta", "p_w", "beta",  "p_beta", "U"};
   static_assert(kNames.size() == kPerArc);
   std::vector<std::string> out;
   for (std::size_t a = 0; a < arcs.size(); ++a) {
@@ -252,17 +263,12 @@ NearChain approximate_chain(const Scene& scene) {
   return free ? one_free_arc(scene) : under_limits(scene);
 }
 
-namespace {
-
-/// Whether two limits of a scene are the same.
-bool same(const PathInequality& a, const PathInequality& b) {
+bool same_limit(const PathInequality& a, const PathInequality& b) {
   return a.kind == b.kind && a.lower == b.lower && a.upper == b.upper &&
          a.number == b.number && a.place.x == b.place.x &&
          a.place.z == b.place.z && a.normal.x == b.normal.x &&
          a.normal.z == b.normal.z;
 }
-
-}  // namespace
 
 Json arcs_json(const ArcChain& chain) {
   const std::vector<PathInequality> limits =
@@ -271,8 +277,9 @@ Json arcs_json(const ArcChain& chain) {
   for (std::size_t a = 0; a < chain.arcs.size(); ++a) {
     Json arc = Json::object();
     if (const Held& held = chain.arcs[a]) {
-      const auto limit = std::ranges::find_if(
-          limits, [&](const auto& each) { return same(each, held->limit); });
+      const auto limit = std::ranges::find_if(limits, [&](const auto& each) {
+        return same_limit(each, held->limit);
+      });
       arc = {{"holds", name(held->limit.kind)},
              {"limit", limit - limits.begin()},
              {"at", held->at_upper() ? "upper" : "lower"}};
@@ -292,9 +299,9 @@ ArcChain chain_from(const Scene& scene, const Json& said) {
     if (arc.contains("limit")) {
       const auto i = arc.at("limit").get<std::size_t>();
       if (i >= limits.size()) throw Refused("its arcs are none of its scene");
-      held = ::brachisto::arcs::HeldLimit{
-          limits[i], arc.at("at") == "upper" ? limits[i].upper
-                                             : limits[i].lower};
+      held = ::brachisto::arcs::HeldLimit{limits[i], arc.at("at") == "upper"
+                                                         ? limits[i].upper
+                                                         : limits[i].lower};
       if (!std::isfinite(held->bound)) {
         throw Refused("its arcs are none of its scene");
       }

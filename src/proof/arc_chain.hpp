@@ -42,6 +42,9 @@ struct ArcChain {
   }
   /// The jump in front of an arc. \pre jumps(arc)
   [[nodiscard]] std::size_t jump(std::size_t arc) const;
+  /// Powers of two near their natural units, in which boxes are about as wide
+  /// in all directions.
+  [[nodiscard]] std::vector<double> units() const;
   /// "2.p_x".
   [[nodiscard]] std::vector<std::string> names() const;
   [[nodiscard]] bool one_free_arc() const {
@@ -64,6 +67,9 @@ struct NearChain {
 /// Solves the scene for its arcs.
 /// \throws NotProven  if there is no answer, or none of arcs that are known
 [[nodiscard]] NearChain approximate_chain(const Scene& scene);
+
+/// Whether two limits of a scene are the same.
+[[nodiscard]] bool same_limit(const PathInequality& a, const PathInequality& b);
 
 /// The arcs in a certificate, and back.
 [[nodiscard]] Json arcs_json(const ArcChain& chain);

@@ -120,10 +120,9 @@ struct ArcSystem::OfArc {
   static std::vector<std::size_t> directions_of(const Scene& scene,
                                                 const Held& held) {
     std::vector<std::size_t> out;
-    const bool by_place =
-        scene.world.field_varies() ||
-        (along_boundary(held) &&
-         held->limit.kind == PathInequality::Kind::Disc);
+    const bool by_place = scene.world.field_varies() ||
+                          (along_boundary(held) &&
+                           held->limit.kind == PathInequality::Kind::Disc);
     for (std::size_t i = 0; i < kNode; ++i) {
       if (i == kPbeta && !along_bound(held) && !by_place) continue;
       if (by_place || (i != kX && i != kZ)) out.push_back(i);
@@ -151,8 +150,8 @@ ArcSystem::ArcSystem(const ArcChain& chain) : chain_(chain) {
   std::size_t equations = 0;
   for (std::size_t a = 0; a < chain_.arcs.size(); ++a) {
     const Held& held = chain_.arcs[a];
-    arcs_.push_back(std::make_unique<OfArc>(
-        chain.scene, held, [&](const NodeValues& y) {
+    arcs_.push_back(
+        std::make_unique<OfArc>(chain.scene, held, [&](const NodeValues& y) {
           return a == 0 ? rows_at_A(own, held, y)
                         : rows_between(own, chain_, a, y);
         }));
@@ -332,18 +331,19 @@ ArcRoot krawczyk(const ArcSystem& system, const std::vector<Real>& box,
 ArcRoot find_arc_root(const ArcSystem& system, std::vector<Real> near,
                       const Accuracy& accuracy) {
   const Bits bits(accuracy.bits);
+  const std::vector<double> units = system.chain().units();
   settle_rotation(system, near);
   const Matrix inverse = rough_inverse(system, near);
   Accuracy nearly = accuracy;
   nearly.near = true;
-  converge(near, inverse, accuracy.bits, [&](const std::vector<Real>& at) {
-    return system.evaluate(at, nearly, false).missed;
-  });
+  converge(near, units, inverse, accuracy.bits,
+           [&](const std::vector<Real>& at) {
+             return system.evaluate(at, nearly, false).missed;
+           });
   return in_a_box(
-      near, accuracy.bits,
+      near, units, accuracy.bits,
       [&] {
-        return product(inverse,
-                       system.evaluate(near, accuracy, false).missed);
+        return product(inverse, system.evaluate(near, accuracy, false).missed);
       },
       [&](const std::vector<Real>& box) {
         return krawczyk(system, box, inverse, accuracy);

@@ -66,8 +66,8 @@ class ArcSystem {
   struct Value {
     std::vector<Real> missed;               ///< F
     std::vector<std::vector<Real>> slopes;  ///< F', if asked for
-    std::vector<State> ends;    ///< of each arc, with derivatives if asked for
-    std::vector<State> rates;   ///< there
+    std::vector<State> ends;   ///< of each arc, with derivatives if asked for
+    std::vector<State> rates;  ///< there
     int steps = 0;
   };
   [[nodiscard]] Value evaluate(const std::vector<Real>& at,

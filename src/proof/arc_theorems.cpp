@@ -49,9 +49,8 @@ struct Zeros {
 ///
 /// \param value  of a step, with how often u is divided out of it
 using Along = std::function<Real(const Step&, const Real& u, int drop)>;
-void positive_within(const ShownArc& arc, const Accuracy& accuracy,
-                     Zeros zeros, const Along& value, const char* what,
-                     Theorem& theorem) {
+void positive_within(const ShownArc& arc, const Accuracy& accuracy, Zeros zeros,
+                     const Along& value, const char* what, Theorem& theorem) {
   const Real half = (arc.length * Real(0x1p-1)).middle();
   for (const bool backward : {false, true}) {
     bool first = true;
@@ -59,8 +58,9 @@ void positive_within(const ShownArc& arc, const Accuracy& accuracy,
     Integration flow(arc.equations.tape, arc.equations.rates, accuracy);
     flow.go(state, backward ? arc.length - half : half, backward,
             [&](const Step& step) {
-              const int drop =
-                  !first ? 0 : backward ? zeros.at_end : zeros.at_start;
+              const int drop = !first     ? 0
+                               : backward ? zeros.at_end
+                                          : zeros.at_start;
               // What is left of u < 0 is of the other sign if that is odd.
               const Real sign(backward && drop % 2 == 1 ? -1.0 : 1.0);
               Real where;
@@ -77,19 +77,20 @@ void positive_within(const ShownArc& arc, const Accuracy& accuracy,
 /// How a limit's distance from a bound vanishes where its boundary begins or
 /// ends: like u², for the path touches it. Where a bend is held from rest on,
 /// that of the other bend is 0 at rest as well, like w.
-Zeros touches(const ShownArc& arc, const PathInequality& limit) {
+Zeros touches(const ShownArc& arc, const PathInequality& limit, double bound) {
   using Kind = PathInequality::Kind;
   const bool bends = limit.kind == Kind::Hump || limit.kind == Kind::Valley;
   if (bends && bent_from_rest(arc)) return {1, 0};
-  const auto same = [&](const Held* other) {
-    return other != nullptr && along_boundary(*other) &&
-           (*other)->limit.kind == limit.kind &&
-           (*other)->limit.number == limit.number &&
-           (*other)->limit.place.x == limit.place.x &&
-           (*other)->limit.place.z == limit.place.z &&
-           (*other)->limit.normal.x == limit.normal.x;
+  const auto at = [&](const Held* other, std::size_t junction) {
+    if (other == nullptr || !*other || (*other)->bound != bound ||
+        !same_limit((*other)->limit, limit)) {
+      return 0;
+    }
+    if (along_boundary(*other)) return 2;
+    // Of one side the second holds already where the first one ends.
+    return along_bound(arc.held()) && !arc.chain.opposite[junction] ? 1 : 0;
   };
-  return {same(arc.before()) ? 2 : 0, same(arc.behind()) ? 2 : 0};
+  return {at(arc.before(), arc.number), at(arc.behind(), arc.number + 1)};
 }
 
 void keeps_limits(const ShownArc& arc, const Accuracy& accuracy,
@@ -99,11 +100,7 @@ void keeps_limits(const ShownArc& arc, const Accuracy& accuracy,
       inequalities(scene.body, scene.limits);
   const auto holds = [&](const PathInequality& limit, double bound) {
     const Held& held = arc.held();
-    return held && held->bound == bound && held->limit.kind == limit.kind &&
-           held->limit.number == limit.number &&
-           held->limit.place.x == limit.place.x &&
-           held->limit.place.z == limit.place.z &&
-           held->limit.normal.x == limit.normal.x;
+    return held && held->bound == bound && same_limit(held->limit, limit);
   };
   for (std::size_t i = 0; i < limits.size(); ++i) {
     for (const bool upper : {false, true}) {
@@ -114,7 +111,7 @@ void keeps_limits(const ShownArc& arc, const Accuracy& accuracy,
       const std::string what =
           fmt::format("that the limit {} is kept", name(limits[i].kind));
       positive_within(
-          arc, accuracy, touches(arc, limits[i]),
+          arc, accuracy, touches(arc, limits[i], bound),
           [&](const Step& step, const Real& u, int drop) {
             const Real found = step.value(node, u, drop);
             return sign * (drop > 0 ? found : found - Real(bound));
@@ -125,18 +122,18 @@ void keeps_limits(const ShownArc& arc, const Accuracy& accuracy,
 }
 
 /// p_β vanishes with its rate where a free arc is next, and by itself at A and
-/// B and where the control goes from one side to the other.
+/// B, where the control goes from one side to the other, and in front of a
+/// boundary, where h_β = 0 holds behind the jump alone.
 Zeros zeros_of_costate(const ShownArc& arc) {
-  const bool optimal =
-      ::brachisto::arcs::has_optimal_ends(arc.chain.scene);
+  const bool optimal = ::brachisto::arcs::has_optimal_ends(arc.chain.scene);
   const auto at = [&](const Held* other, std::size_t junction) {
     if (other == nullptr) return optimal ? 0 : 1;
-    if (!along_bound(*other)) return 2;
+    if (!*other) return 2;
+    if (along_boundary(*other)) return 1;
     return arc.chain.opposite[junction] ? 1 : 0;
   };
   Zeros out{at(arc.before(), arc.number), at(arc.behind(), arc.number + 1)};
-  if (arc.behind() == nullptr &&
-      arc.chain.scene.contact == Contact::EndSlope) {
+  if (arc.behind() == nullptr && arc.chain.scene.contact == Contact::EndSlope) {
     out.at_end = 0;
   }
   return out;
@@ -162,9 +159,8 @@ void has_its_sign(const ShownArc& arc, const Accuracy& accuracy,
   State middle = arc.start;
   Integration flow(arc.equations.tape, arc.equations.rates, accuracy);
   flow.go(middle, (arc.length * Real(0x1p-1)).middle());
-  const Real mu =
-      arc.equations.tape
-          .values(middle)[static_cast<std::size_t>(multiplier.id)];
+  const Real mu = arc.equations.tape.values(
+      middle)[static_cast<std::size_t>(multiplier.id)];
   const Real side(middle[kPbeta].positive() ? 1.0 : -1.0);
   if (!(sign * mu).positive()) {
     theorem.holds = false;
@@ -196,7 +192,8 @@ void physics(const ShownArc& arc, const Accuracy& accuracy, ArcTheorems& out) {
   }
   // R_n is 0 where a free path leaves rest, and where it is held there.
   const bool weightless = arc.leaves_rest() && !arc.held();
-  if (arc.held() && arc.held()->limit.kind == PathInequality::Kind::NormalForce) {
+  if (arc.held() &&
+      arc.held()->limit.kind == PathInequality::Kind::NormalForce) {
     out.presses.holds = out.presses.holds && arc.held()->bound > 0.0;
   } else {
     check(out.presses, "R_n > 0", {weightless ? 1 : 0, 0}, equations.normal);

@@ -130,8 +130,7 @@ Json theorems_of(const ArcTheorems& shown) {
 }
 
 Shown shown_of(const Scene& scene, const Root& root, const Accuracy& accuracy) {
-  const Theorems found =
-      prove_theorems(scene, as_free(scene, root), accuracy);
+  const Theorems found = prove_theorems(scene, as_free(scene, root), accuracy);
   return {{"p_x", "p_z", "p_theta_0", "U"},
           root.searched,
           root.found,
@@ -200,8 +199,8 @@ Json document(const Scene& scene, const Accuracy& accuracy,
     out["arcs"] = shown.arcs;
     Json& junctions = out["junctions"] = Json::array();
     for (const Junction& each : shown.junctions) {
-      junctions.push_back({{"x_per_H", stated(each.place)},
-                           {"time", stated(each.time)}});
+      junctions.push_back(
+          {{"x_per_H", stated(each.place)}, {"time", stated(each.time)}});
     }
   }
   out["digest"] = digest(out);

@@ -61,7 +61,7 @@ Equations::Equations(const Scene& scene, int along, const Held& held)
     const auto found = std::ranges::find(kDirections, along);
     if (found == kDirections.end()) throw std::logic_error("directions");
     kWrite[static_cast<std::size_t>(found - kDirections.begin())](own, held,
-                                                                   *this);
+                                                                  *this);
   }
 }
 
@@ -72,11 +72,11 @@ SlopeFunction::SlopeFunction(const Scene& scene) {
   for (std::size_t i = 0; i <= kBeta; ++i) {
     y[i] = tape.input(static_cast<int>(i));
   }
-  const Jet h = hamiltonian(
-      rates_of(in_own_units(scene),
-               std::array{Jet(y[kX]), Jet(y[kZ]), Jet(y[kTheta]), Jet(y[kW]),
-                          Jet::variable(y[kBeta], 0)}),
-      y);
+  const Jet h =
+      hamiltonian(rates_of(in_own_units(scene),
+                           std::array{Jet(y[kX]), Jet(y[kZ]), Jet(y[kTheta]),
+                                      Jet(y[kW]), Jet::variable(y[kBeta], 0)}),
+                  y);
   value = h.value;
   bend = h.hessian[0];
 }
@@ -90,8 +90,7 @@ std::array<Real, 2> SlopeFunction::operator()(
 
 bool is_plain(const Scene& scene) {
   return scene.world.ordinary() && !scene.limits.any() &&
-         (scene.contact == Contact::Smooth ||
-          scene.contact == Contact::Centre);
+         (scene.contact == Contact::Smooth || scene.contact == Contact::Centre);
 }
 
 Scene in_own_units(const Scene& scene) {
@@ -100,8 +99,8 @@ Scene in_own_units(const Scene& scene) {
     own = scene;
     if (has_surface(scene.world)) {
       own.world.side = side_of_surface(
-          scene, mass_centre(scene.body, start_of_centre(scene),
-                             scene.body.theta_m));
+          scene,
+          mass_centre(scene.body, start_of_centre(scene), scene.body.theta_m));
     }
     return own;
   }

@@ -66,8 +66,8 @@ struct SlopeFunction {
 /// Of a plain scene everything is in units of r (of a bead: of metres) and with
 /// 2 g = 1, which makes dθ/ds = 1 and leaves η, k and θ_m, numbers of 64 bits,
 /// as they are; what these do not need is left out. Other scenes have fields
-/// and limits with lengths of their own, which stay what they are: SI. The field
-/// has the law of the side of its surface on which the path starts.
+/// and limits with lengths of their own, which stay what they are: SI. The
+/// field has the law of the side of its surface on which the path starts.
 [[nodiscard]] Scene in_own_units(const Scene& scene);
 
 /// √A, or its square, at a slope.

@@ -54,9 +54,9 @@ template <class S>
 struct At {
   std::array<S, kComponents> rates;
   S hamiltonian;  ///< 0 all along
-  S by_slope;     ///< ∂(L + p·f)/∂β, 0 but where a limit of the control holds
-  S legendre;     ///< and its second derivative
-  S multiplier;   ///< of the limit that holds, per u; ≤ 0 at a lower bound
+  S by_slope;  ///< ∂(L + p·f)/∂β, 0 but where a limit of the control holds
+  S legendre;    ///< and its second derivative
+  S multiplier;  ///< of the limit that holds, per u; ≤ 0 at a lower bound
   TurningPoint<S> place;
 };
 
@@ -102,9 +102,9 @@ template <class S>
                        const std::array<S, kComponents>& y) {
   using Jet = math::Jet2<S, 5>;
   constexpr std::size_t kControl = 4;
-  const auto rates = rates_of(
-      scene, ocp::as_variables<Jet>(
-                 std::array<S, 5>{y[kX], y[kZ], y[kTheta], y[kW], y[kBeta]}));
+  const auto rates =
+      rates_of(scene, ocp::as_variables<Jet>(std::array<S, 5>{
+                          y[kX], y[kZ], y[kTheta], y[kW], y[kBeta]}));
   const Jet h = hamiltonian(rates, y);
   At<S> out;
   S moved(0.0);  // h_βy·f − f_β·h_y

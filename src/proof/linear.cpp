@@ -43,9 +43,11 @@ Vector product(const Matrix& a, const Vector& v) {
   return out;
 }
 
-double largest(const Vector& of) {
+double largest(const Vector& of, const std::vector<double>& units) {
   double out = 0.0;
-  for (const Real& number : of) out = std::max(out, number.abs().upper());
+  for (std::size_t i = 0; i < of.size(); ++i) {
+    out = std::max(out, of[i].abs().upper() / units[i]);
+  }
   return out;
 }
 

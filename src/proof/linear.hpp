@@ -25,7 +25,9 @@ using Matrix = std::vector<Vector>;
 
 [[nodiscard]] Vector product(const Matrix& a, const Vector& v);
 
-[[nodiscard]] double largest(const Vector& of);
+/// In units of these, powers of two.
+[[nodiscard]] double largest(const Vector& of,
+                             const std::vector<double>& units);
 
 /// Krawczyk's operator on a box X about m:
 ///
@@ -37,20 +39,21 @@ using Matrix = std::vector<Vector>;
 /// \return K, which lies in the interior of X: then it holds exactly one root
 /// \throws TooFewBits  if it does not
 [[nodiscard]] Vector krawczyk_image(const Vector& box, const Matrix& inverse,
-                                    const Vector& missed,
-                                    const Matrix& slopes);
+                                    const Vector& missed, const Matrix& slopes);
 
 /// Newton's method with one inverse, to the digits of half the bits.
-/// \param at    [in,out] middles alone
-/// \param miss  F there, nearly
+/// \param at     [in,out] middles alone
+/// \param units  of each
+/// \param miss   F there, nearly
 template <class Miss>
-void converge(Vector& at, const Matrix& inverse, int bits, const Miss& miss) {
+void converge(Vector& at, const std::vector<double>& units,
+              const Matrix& inverse, int bits, const Miss& miss) {
   constexpr int kMostSteps = 12;
   const double enough = std::ldexp(1.0, -bits / 2);
   double step = 1.0;
   for (int i = 0; i < kMostSteps && step > enough; ++i) {
     const Vector by = product(inverse, miss(at));
-    step = largest(by);
+    step = largest(by, units);
     if (!(step < 1.0)) throw NotProven("Newton's method does not converge");
     for (std::size_t k = 0; k < at.size(); ++k) {
       at[k] = (at[k] - by[k]).middle();
@@ -64,19 +67,21 @@ void converge(Vector& at, const Matrix& inverse, int bits, const Miss& miss) {
 /// shown(box) of a box about a point: the usual one, or where wrapping is bad
 /// one that is not much wider than what one integration leaves open.
 template <class Open, class Shown>
-[[nodiscard]] auto in_a_box(const Vector& at, int bits, const Open& open,
-                            const Shown& shown) {
+[[nodiscard]] auto in_a_box(const Vector& at, const std::vector<double>& units,
+                            int bits, const Open& open, const Shown& shown) {
   constexpr double kTimes = 1024.0;
   const auto box_about = [&](double radius) {
     Vector box;
-    for (const Real& each : at) box.push_back(each.widened(Real(radius)));
+    for (std::size_t k = 0; k < at.size(); ++k) {
+      box.push_back(at[k].widened(Real(radius * units[k])));
+    }
     return box;
   };
   const double usual = std::ldexp(1.0, -(2 * bits) / 5);
   try {
     return shown(box_about(usual));
   } catch (const NotProven&) {
-    const double radius = kTimes * largest(open());
+    const double radius = kTimes * largest(open(), units);
     if (!(radius < usual)) throw;
     return shown(box_about(radius));
   }

@@ -194,14 +194,14 @@ Root find_root(const Scene& scene, const Unknowns& near,
   const Matrix inverse = rough_inverse(scene, ends, at);
   Accuracy nearly = accuracy;
   nearly.near = true;
-  converge(at, inverse, accuracy.bits, [&](const Unknowns& there) {
+  const std::vector<double> units(kUnknowns, 1.0);
+  converge(at, units, inverse, accuracy.bits, [&](const Unknowns& there) {
     return shoot(scene, ends, there, nearly, false).missed;
   });
   return in_a_box(
-      at, accuracy.bits,
+      at, units, accuracy.bits,
       [&] {
-        return product(inverse,
-                       shoot(scene, ends, at, accuracy, false).missed);
+        return product(inverse, shoot(scene, ends, at, accuracy, false).missed);
       },
       [&](const Unknowns& box) {
         return krawczyk(scene, box, inverse, accuracy);

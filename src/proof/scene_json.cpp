@@ -27,14 +27,32 @@ struct Bound {
   std::optional<double>& (*in)(PathLimits&);
 };
 constexpr std::array kBounds{
-    Bound{"friction", [](PathLimits& l) -> auto& { return l.friction; }},
-    Bound{"normal_force.min", [](PathLimits& l) -> auto& { return l.normal_min; }},
-    Bound{"normal_force.max", [](PathLimits& l) -> auto& { return l.normal_max; }},
-    Bound{"curvature.hump", [](PathLimits& l) -> auto& { return l.curvature.hump; }},
-    Bound{"curvature.valley",
-          [](PathLimits& l) -> auto& { return l.curvature.valley; }},
-    Bound{"fold_margin", [](PathLimits& l) -> auto& { return l.fold_margin; }},
-    Bound{"floor", [](PathLimits& l) -> auto& { return l.floor; }}};
+    Bound{"friction", [](PathLimits& l) -> auto& {return l.friction;
+}  // namespace
+}  // namespace brachisto::proof
+, Bound{"normal_force.min", [](PathLimits& l) -> auto& {return l.normal_min;
+}
+}
+, Bound{"normal_force.max", [](PathLimits& l) -> auto& {return l.normal_max;
+}
+}
+, Bound{"curvature.hump", [](PathLimits& l) -> auto& {return l.curvature.hump;
+}
+}
+, Bound{"curvature.valley",
+        [](PathLimits& l) -> auto& {return l.curvature.valley;
+}
+}
+, Bound{"fold_margin", [](PathLimits& l) -> auto& {return l.fold_margin;
+}
+}
+, Bound {
+  "floor", [](PathLimits & l) -> auto& {
+    return l.floor;
+  }
+}
+}
+;
 
 Json limits_json(PathLimits limits) {
   Json out = Json::object();
@@ -66,12 +84,12 @@ PathLimits limits_from(const Json& said) {
     out.curvature.of = CurvatureLimit::Of::Centre;
   }
   for (const Json& each : said.value("discs", Json::array())) {
-    out.discs.push_back({{number(each, "x"), number(each, "z")},
-                         number(each, "radius")});
+    out.discs.push_back(
+        {{number(each, "x"), number(each, "z")}, number(each, "radius")});
   }
   for (const Json& each : said.value("half_planes", Json::array())) {
-    out.half_planes.push_back({{number(each, "x"), number(each, "z")},
-                               number(each, "normal")});
+    out.half_planes.push_back(
+        {{number(each, "x"), number(each, "z")}, number(each, "normal")});
   }
   return out;
 }

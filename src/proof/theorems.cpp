@@ -135,11 +135,10 @@ Theorem no_conjugate_point(const Scene& scene, const State& end,
                          by(kTheta, direction), by(kW, direction)};
         };
         const std::vector<Node>& rates = flow->equations().rates;
-        return determinant(column(0), column(1), column(2),
-                           Column4{step.value(rates[kX], u),
-                                   step.value(rates[kZ], u),
-                                   step.value(rates[kTheta], u),
-                                   step.value(rates[kW], u)});
+        return determinant(
+            column(0), column(1), column(2),
+            Column4{step.value(rates[kX], u), step.value(rates[kZ], u),
+                    step.value(rates[kTheta], u), step.value(rates[kW], u)});
       }
       const Real theta = step.value(kTheta, u), w = step.value(kW, u),
                  beta = step.value(kBeta, u);
@@ -147,10 +146,9 @@ Theorem no_conjugate_point(const Scene& scene, const State& end,
         return Column3{by(kX, direction), by(kTheta, direction),
                        by(kW, direction)};
       };
-      return determinant(
-          column(0), column(1),
-          Column3{w * cos(beta), w,
-                  (sin(beta) + eta * cos(theta)) * Real(0.5)});
+      return determinant(column(0), column(1),
+                         Column3{w * cos(beta), w,
+                                 (sin(beta) + eta * cos(theta)) * Real(0.5)});
     };
     // Its sign where the way begins is kept. Behind the first step u, which is
     // negative, is no longer divided by.

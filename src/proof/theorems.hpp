@@ -56,9 +56,9 @@ struct FreeExtremal {
   State end;
   Real length;  ///< U
   Enclosures enclosed;
-  Real per_H;          ///< the unit of length over H
-  Real start_place;    ///< x of the centre at A, if that is not in `start`
-  bool rests = true;   ///< at A
+  Real per_H;         ///< the unit of length over H
+  Real start_place;   ///< x of the centre at A, if that is not in `start`
+  bool rests = true;  ///< at A
 };
 
 /// \param root  of a plain scene

@@ -95,8 +95,8 @@ std::string in_words(const Json& certificate) {
     out += fmt::format("  arcs: {}\n", arcs);
   }
   for (const Json& each : certificate.value("junctions", Json::array())) {
-    out += fmt::format("  a junction at x/H in {}\n",
-                       ends_of(each.at("x_per_H")));
+    out +=
+        fmt::format("  a junction at x/H in {}\n", ends_of(each.at("x_per_H")));
   }
   for (const auto& [name, words] : kStatements) {
     if (!t.contains(name)) continue;
@@ -139,23 +139,24 @@ std::string page(const Json& certificate) {
   out += number("L") + number("H");
   if (!plain) out += number("gravity") + of_world_and_limits(scene);
   const std::string arcs = arcs_of(certificate);
-  out += plain ? "\nIn units of r (of a bead: of metres) and with 2 g = 1, let "
-                 "θ(0) = θ_m, w(0) = 0, β(0) = β₀ the start angle and p_w(0) as "
-                 "𝓗 = 0 asks. Of all (p_x, p_z, p_θ(0), U) in the box (exactly "
-                 "in proof.json)\n\n"
-               : fmt::format(
-                     "\n{}Of all states and costates at the starts of the arcs "
-                     "and lengths U of the arcs in the box (exactly in "
-                     "proof.json)\n\n",
-                     arcs.empty() ? ""
-                                  : fmt::format("The arcs are: {}. ", arcs));
+  out += plain
+             ? "\nIn units of r (of a bead: of metres) and with 2 g = 1, let "
+               "θ(0) = θ_m, w(0) = 0, β(0) = β₀ the start angle and p_w(0) as "
+               "𝓗 = 0 asks. Of all (p_x, p_z, p_θ(0), U) in the box (exactly "
+               "in proof.json)\n\n"
+             : fmt::format(
+                   "\n{}Of all states and costates at the starts of the arcs "
+                   "and lengths U of the arcs in the box (exactly in "
+                   "proof.json)\n\n",
+                   arcs.empty() ? "" : fmt::format("The arcs are: {}. ", arcs));
   for (const auto& [name, box] : certificate.at("unknowns").items()) {
     out += fmt::format("    {} = {}\n", name, decimals(box.at("searched")));
   }
-  out += plain ? "\nexactly one solution of Hamilton's equations ends in B with "
-                 "p_θ = p_w = 0. Of it\n\n"
-               : "\nexactly one satisfies the conditions at A, at B and where "
-                 "arcs meet (docs/proofs.md lists them). Of it\n\n";
+  out += plain
+             ? "\nexactly one solution of Hamilton's equations ends in B with "
+               "p_θ = p_w = 0. Of it\n\n"
+             : "\nexactly one satisfies the conditions at A, at B and where "
+               "arcs meet (docs/proofs.md lists them). Of it\n\n";
   for (const auto& [name, enclosure] : certificate.at("enclosures").items()) {
     out += fmt::format("    {} in {}\n", name, ends_of(enclosure));
   }

@@ -184,6 +184,8 @@ template <class Source>
 [[nodiscard]] Fields<Solution> effort_fields();
 /// Where the solve came by, and answers beside the answer.
 [[nodiscard]] Fields<Solution> search_fields();
+/// What enclosures say, in one line.
+[[nodiscard]] std::string in_words(const Proof& proof);
 /// Of `brachisto design`; no key of another result.
 [[nodiscard]] Field<DesignAnswer> design_field();
 [[nodiscard]] Field<Solution> seconds_field();

@@ -5,7 +5,10 @@
 /// Keys of a result document that tell how the answer was sought: the work,
 /// the time, and what else was found.
 
+#include <fmt/format.h>
+
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -60,12 +63,13 @@ Field<Solution> proof_field() {
         if_proven(&P::off_at_most), true},
        {"within_estimate", "", "nor further than its estimated error",
         if_proven(&P::within_estimate), true},
-       list("theorems", "each by itself", &P::statements,
-            {{"name", "", "as in proof.json", &Of::name},
-             {"holds", "", "it is proven", &Of::holds},
-             {"why_not", "", "why not",
-              [](const Of& s) { return only_if(!s.why_not.empty(), s.why_not); },
-              true}}),
+       list(
+           "theorems", "each by itself", &P::statements,
+           {{"name", "", "as in proof.json", &Of::name},
+            {"holds", "", "it is proven", &Of::holds},
+            {"why_not", "", "why not",
+             [](const Of& s) { return only_if(!s.why_not.empty(), s.why_not); },
+             true}}),
        {"bits", "", "of its precision", if_proven(&P::bits), true},
        {"cpu_seconds", "s", "processor time", &P::cpu_seconds}});
   field.may_lack = true;
@@ -191,7 +195,24 @@ Fields<Solution> search_fields() {
            {"of_junctions", "",
             "and of the places where arcs meet, as shares of U",
             &E::of_junctions, true}}),
-      proof_field(), discrete_field()};
+      proof_field(),
+      discrete_field()};
+}
+
+std::string in_words(const Proof& proof) {
+  if (!proof.not_proven_because.empty()) {
+    return "none: " + proof.not_proven_because;
+  }
+  std::string out = fmt::format(
+      "one extremal with τ in [{}, {}]; the τ above is off by at most {:.0e}, "
+      "{} its estimated error",
+      proof.tau_lower, proof.tau_upper, proof.off_at_most,
+      proof.within_estimate ? "within" : "more than");
+  for (const Proof::Statement& each : proof.statements) {
+    if (each.why_not.empty()) continue;
+    out += fmt::format("; not proven: {} ({})", each.name, each.why_not);
+  }
+  return out;
 }
 
 Field<Solution> seconds_field() {

@@ -17,6 +17,7 @@
 
 #include "math/angle.hpp"
 #include "report/design_report.hpp"
+#include "report/result_field.hpp"
 #include "report/text_table.hpp"
 #include "report/track_kind.hpp"
 #include "study/wider_search.hpp"
@@ -279,23 +280,6 @@ void add_cross_check(std::string& out, const Solution& solution) {
           : "none: " + check.message);
 }
 
-void add_proof(std::string& out, const Solution& solution) {
-  if (!solution.proof) return;
-  const Proof& proof = *solution.proof;
-  if (!proof.not_proven_because.empty()) {
-    return add_line(out, "proof", "none: " + proof.not_proven_because);
-  }
-  add_line(out, "proof",
-           fmt::format("one extremal with τ in [{}, {}]; the τ above is off by "
-                       "at most {:.0e}, {} its estimated error",
-                       proof.tau_lower, proof.tau_upper, proof.off_at_most,
-                       proof.within_estimate ? "within" : "more than"));
-  for (const Proof::Statement& each : proof.statements) {
-    if (each.why_not.empty()) continue;
-    add_line(out, "not proven", each.name + ": " + each.why_not);
-  }
-}
-
 /// Not under the answer's label: it is the answer to another problem.
 void add_discrete_system(std::string& out, const Solution& solution) {
   if (!solution.discrete()) return;
@@ -437,7 +421,7 @@ std::string summary(const Solution& solution, const DesignAnswer* design) {
   }
   add_verdict(out, solution, design);
   add_cross_check(out, solution);
-  add_proof(out, solution);
+  if (solution.proof) add_line(out, "proof", in_words(*solution.proof));
   add_discrete_system(out, solution);
   add_branches(out, solution);
   if (design != nullptr) add_design(out, *design);

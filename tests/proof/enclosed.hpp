@@ -14,8 +14,7 @@ namespace brachisto::testing {
 
 [[nodiscard]] inline proof::Real ball_of(const proof::Json& enclosure) {
   proof::Real out;
-  EXPECT_TRUE(
-      proof::Real::read(enclosure["ball"].get<std::string>(), out));
+  EXPECT_TRUE(proof::Real::read(enclosure["ball"].get<std::string>(), out));
   return out;
 }
 

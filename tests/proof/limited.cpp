@@ -73,8 +73,8 @@ TEST(Limited, ALoadIsHeldOnAnArc) {
 /// The bead's scene with these arcs, found from those of the floor.
 struct OnFloor {
   NearChain near = approximate_chain(on_floor());
-  ArcRoot root = find_arc_root(ArcSystem(near.chain), near.unknowns,
-                               accuracy_of(kBits));
+  ArcRoot root =
+      find_arc_root(ArcSystem(near.chain), near.unknowns, accuracy_of(kBits));
 };
 const OnFloor& found_on_floor() {
   static const OnFloor found;
@@ -90,9 +90,8 @@ TEST(MustFail, AnotherFloor) {
   EXPECT_THROW((void)verify_arc_root(ArcSystem(other), found.root.searched,
                                      accuracy_of(kBits)),
                NotProven);
-  EXPECT_NO_THROW((void)verify_arc_root(ArcSystem(found.near.chain),
-                                        found.root.searched,
-                                        accuracy_of(kBits)));
+  EXPECT_NO_THROW((void)verify_arc_root(
+      ArcSystem(found.near.chain), found.root.searched, accuracy_of(kBits)));
 }
 
 // The free cycloid goes through the floor.
@@ -104,8 +103,7 @@ TEST(MustFail, AFreePathThroughAFloor) {
   }());
   near.chain.scene.limits.floor = 1.0;
   const ArcSystem system(near.chain);
-  const ArcRoot root =
-      find_arc_root(system, near.unknowns, accuracy_of(kBits));
+  const ArcRoot root = find_arc_root(system, near.unknowns, accuracy_of(kBits));
   const ArcTheorems shown =
       prove_arc_theorems(system, root, accuracy_of(kBits));
   EXPECT_FALSE(shown.keeps.holds);
@@ -121,8 +119,8 @@ TEST(MustFail, ABoundFromTheWrongSide) {
   PathInequality& limit = roof.arcs[1]->limit;
   limit.lower = -std::numeric_limits<double>::infinity();
   limit.upper = 0.0;
-  const ArcTheorems shown = prove_arc_theorems(ArcSystem(roof), found.root,
-                                               accuracy_of(kBits));
+  const ArcTheorems shown =
+      prove_arc_theorems(ArcSystem(roof), found.root, accuracy_of(kBits));
   EXPECT_FALSE(shown.multipliers.holds);
   EXPECT_TRUE(shown.multipliers.refuted);
 }

@@ -86,8 +86,8 @@ TEST(Worlds, InTheFieldOfAPlanetAUniformCylinderIsASlowerBead) {
   EXPECT_TRUE((slower - enclosed(of_cylinder, "tau")).has_zero());
   EXPECT_LT(slower.radius().upper(), 1e-17);
   for (const char* name : {"start_angle", "end_angle", "length_per_H"}) {
-    EXPECT_TRUE((enclosed(of_bead, name) - enclosed(of_cylinder, name))
-                    .has_zero())
+    EXPECT_TRUE(
+        (enclosed(of_bead, name) - enclosed(of_cylinder, name)).has_zero())
         << name;
   }
   EXPECT_TRUE(of_bead["theorems"]["strong_minimum"]["holds"].get<bool>());
@@ -139,8 +139,8 @@ TEST(MustFail, AnotherPush) {
   Scene scene = bead();
   scene.world.start_speed = 2.0;
   const NearChain near = approximate_chain(scene);
-  const ArcRoot root = find_arc_root(ArcSystem(near.chain), near.unknowns,
-                                     accuracy_of(kBits));
+  const ArcRoot root =
+      find_arc_root(ArcSystem(near.chain), near.unknowns, accuracy_of(kBits));
   EXPECT_NO_THROW((void)verify_arc_root(ArcSystem(near.chain), root.searched,
                                         accuracy_of(kBits)));
   ArcChain faster = near.chain;

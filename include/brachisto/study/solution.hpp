@@ -58,7 +58,7 @@ struct Proof {
     bool holds = false;
     std::string why_not;  ///< empty if it holds, or follows from others
   };
-  std::string not_proven_because;  ///< empty: the extremal exists
+  std::string not_proven_because;    ///< empty: the extremal exists
   std::string tau_lower, tau_upper;  ///< decimal, rounded outward
   double off_at_most = 0.0;  ///< how far the answer's τ is from the extremal's
   bool within_estimate = false;  ///< no more than its estimated error

@@ -101,7 +101,7 @@ class Shooting {
     State y, rates;
     Number T, beta;
     // Of a shot with derivatives: see Extremal.
-    Unknowns beta_by;
+    Unknowns beta_by, time_by;
     Number least_jacobian, by_length;
   };
 
@@ -242,6 +242,8 @@ class Shooting {
         out.jacobian[2][j] = change[kPTheta] * turn_;
         out.jacobian[3][j] = change[kPW];
         out.beta_by[j] = beta;
+        out.time_by[j] = j == 3 ? path.slope()[Inner::kCost] / by[3]
+                                : Inner::derivative(now, Inner::kCost, kPX + j);
       }
       out.least_jacobian = jacobi.least;
       out.by_length = second_by_length<Inner>(flow, out, now, c, s);
@@ -440,6 +442,7 @@ void Shooting<Set, Count>::finish(Extremals& out) {
     for (std::size_t i = 0; i < kUnknowns; ++i) {
       found.unknowns[i] = by_[i][lane];
       found.beta_by[i] = whole.beta_by[i][lane];
+      found.time_by[i] = whole.time_by[i][lane];
       for (std::size_t j = 0; j < kUnknowns; ++j) {
         found.jacobian[i][j] = whole.jacobian[i][j][lane];
       }

@@ -158,6 +158,10 @@ bool ClosedTimes::move_to(const Traits& traits, const Traits& wanted) {
     side_by_side = in_lanes({scene}, held_in_lanes_.get()).front();
   }
   const bool as_sought = side_by_side.has_value();
+  if (!as_sought && !held_ && held_in_lanes_) {
+    // Beyond what lanes can it is followed from here, as any other.
+    held_ = solved(held_in_lanes_->scene.body, nullptr).solution.as_neighbour();
+  }
   auto [solution, followed] = as_sought ? Solved{std::move(*side_by_side)}
                                         : solved(scene.body, held_.get());
   const bool beyond_folds =

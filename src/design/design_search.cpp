@@ -209,6 +209,12 @@ class Searcher {
   std::optional<Judged> finish(DesignProblem& problem,
                                const SolverResult& found, Keep keep) {
     times_.use(options_);
+    if (!problem.set_point(found.point.x)) {
+      // It was come to step by step, and as a whole it is not found again.
+      out_.message = problem.refusal();
+      back_ = problem.last_on_branch();
+      return std::nullopt;
+    }
     const FewVariablesPoint refined =
         refine_few_variables(problem, found.point, kStepOfHessian);
     if (!refined.converged && found.status != Status::Solved) {

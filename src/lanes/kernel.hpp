@@ -15,34 +15,12 @@
 
 #include "lanes/by_share.hpp"
 #include "lanes/falling_lanes.hpp"
-#include "lanes/many_scenes.hpp"
+#include "lanes/kernels.hpp"
 #include "lanes/newton_step.hpp"
 #include "ocp/flow.hpp"
 #include "ocp/integration.hpp"
 
 namespace brachisto::lanes {
-
-/// The most steps on the way to a scene that there is room for.
-inline constexpr int kMostOffsets = kFine.offsets;
-
-/// A scene as shooting has it, in natural units.
-struct Milestone {
-  double eta_m = 0.0, theta_m = 0.0, k = 0.0;
-  double contact_radius = 0.0;  ///< by which the centre is off the track
-  double rotation_per_length = 0.0;
-  double L = 0.0, H = 0.0;
-  double start_angle = 0.0;
-};
-/// What is shot for, from one that is known.
-struct Target {
-  std::array<Milestone, kMostOffsets + 1> way;  ///< as far as there are steps
-  /// Of the extremal before the first step.
-  std::array<double, Extremal::kUnknowns> unknowns{};
-  double sign = 0.0;  ///< see Extremal; 0: that of the first step
-};
-using Targets = std::array<Target, kLanes>;
-using Extremals = std::array<Extremal, kLanes>;
-using Landings = std::array<Landing, kLanes>;
 
 namespace detail {
 
@@ -101,7 +79,7 @@ class Shooting {
     State y, rates;
     Number T, beta;
     // Of a shot with derivatives: see Extremal.
-    Unknowns beta_by;
+    Unknowns beta_by, time_by;
     Number least_jacobian, by_length;
   };
 
@@ -242,6 +220,8 @@ class Shooting {
         out.jacobian[2][j] = change[kPTheta] * turn_;
         out.jacobian[3][j] = change[kPW];
         out.beta_by[j] = beta;
+        out.time_by[j] = j == 3 ? path.slope()[Inner::kCost] / by[3]
+                                : Inner::derivative(now, Inner::kCost, kPX + j);
       }
       out.least_jacobian = jacobi.least;
       out.by_length = second_by_length<Inner>(flow, out, now, c, s);
@@ -440,6 +420,7 @@ void Shooting<Set, Count>::finish(Extremals& out) {
     for (std::size_t i = 0; i < kUnknowns; ++i) {
       found.unknowns[i] = by_[i][lane];
       found.beta_by[i] = whole.beta_by[i][lane];
+      found.time_by[i] = whole.time_by[i][lane];
       for (std::size_t j = 0; j < kUnknowns; ++j) {
         found.jacobian[i][j] = whole.jacobian[i][j][lane];
       }
@@ -448,17 +429,6 @@ void Shooting<Set, Count>::finish(Extremals& out) {
 }
 
 }  // namespace detail
-
-/// The first so many of eight scenes with one set of instructions. Its
-/// functions are not inline: those who call them must not compile them too.
-template <Instructions Set, std::size_t Count = kLanes>
-struct Kernel {
-  static void shoot(const Targets& targets, const Fineness& fineness,
-                    Extremals& out);
-  /// With nothing sought.
-  static void land(const Targets& targets, const Fineness& fineness,
-                   Landings& out);
-};
 
 template <Instructions Set, std::size_t Count>
 void Kernel<Set, Count>::shoot(const Targets& targets, const Fineness& fineness,

@@ -11,20 +11,13 @@
 
 #include "extremal/arc_flow.hpp"
 #include "extremal/shooting.hpp"
-#include "lanes/kernel.hpp"
+#include "lanes/kernels.hpp"
 #include "model/contact.hpp"
 #include "model/scene_coordinate.hpp"
 #include "model/start_angle.hpp"
 #include "model/units.hpp"
 
 namespace brachisto::lanes {
-
-#if defined(__x86_64__)
-extern template struct Kernel<Instructions::Avx2>;
-extern template struct Kernel<Instructions::Avx512>;
-#endif
-extern template struct Kernel<Instructions::Baseline>;
-extern template struct Kernel<Instructions::Baseline, kFewLanes>;
 
 namespace {
 

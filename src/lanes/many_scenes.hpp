@@ -51,9 +51,9 @@ struct Extremal {
   std::array<Place, kMostPlaces + 1> path;  ///< at u = i U/places
   /// p_x, p_z, p_θ at the start, and U.
   std::array<double, kUnknowns> unknowns{};
-  /// How a shot answers to them: the residual, by rows, and the slope at B.
+  /// How a shot answers to them: the residual, by rows, the slope at B and T.
   std::array<std::array<double, kUnknowns>, kUnknowns> jacobian{};
-  std::array<double, kUnknowns> beta_by{};
+  std::array<double, kUnknowns> beta_by{}, time_by{};
   /// Of that matrix' determinant, the same all along a branch.
   double sign = 0.0;
 

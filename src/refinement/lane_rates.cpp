@@ -22,17 +22,12 @@ constexpr Eigen::Index kSize = lanes::Extremal::kUnknowns;
 LaneRates::LaneRates(const Scene& natural,
                      std::shared_ptr<const lanes::Extremal> extremal)
     : scene_(with_rotation(natural)), extremal_(std::move(extremal)) {
-  // What the centre does is what R says, less what the contact at B does.
-  const double r = contact_radius(scene_);
-  const double along_x = r * std::cos(extremal_->phi);
-  const double along_z = r * std::sin(extremal_->phi);
   for (std::size_t j = 0; j < lanes::Extremal::kUnknowns; ++j) {
-    Rates by{0.0, extremal_->beta_by[j], Eigen::VectorXd(kSize)};
+    Rates by{extremal_->time_by[j], extremal_->beta_by[j],
+             Eigen::VectorXd(kSize)};
     for (Eigen::Index i = 0; i < kSize; ++i) {
       by.open[i] = extremal_->jacobian[static_cast<std::size_t>(i)][j];
     }
-    by.time = -(extremal_->p_x() * (by.open[0] + along_x * by.beta) +
-                extremal_->p_z() * (by.open[1] + along_z * by.beta));
     unknowns_.push_back(std::move(by));
   }
 }

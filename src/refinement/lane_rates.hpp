@@ -18,10 +18,13 @@
 namespace brachisto {
 
 /// With R(y, p) = 0 the conditions at B, y being the costates at the start and
-/// U, R_y from the flow and R_p, T_p from shots of scenes next to this one, all
-/// with the same y:
+/// U, R_y and T_y from the flow and R_p, T_p from shots of scenes next to this
+/// one, all with the same y:
 ///
-///     y_p = −R_y⁻¹ R_p,   dT/dp = T_p + T_y y_p,   T_y = −(p_x, p_z)·(x, z)_y.
+///     y_p = −R_y⁻¹ R_p,   dT/dp = T_p + T_y y_p.
+///
+/// R_y is that before the last steps of Newton's method: 1e-7 or so is left of
+/// that.
 class LaneRates final : public TimeRates {
  public:
   /// \param natural   the scene of the extremal, in natural units

@@ -22,6 +22,8 @@
 #include "brachisto/study/solve.hpp"
 #include "model/cycloid.hpp"
 #include "model/inertia.hpp"
+#include "study/in_lanes.hpp"
+#include "study/tau_rates.hpp"
 #include "support/limited_scenes.hpp"
 #include "support/world_scenes.hpp"
 
@@ -564,6 +566,53 @@ INSTANTIATE_TEST_SUITE_P(Scenes, SecondDerivativesOf,
                                            Case{"Backwards", backwards()},
                                            push(), through_a_surface()),
                          [](const auto& one) { return one.param.test; });
+
+/// Of an extremal in lanes by shots, of the same by its program on a mesh. The
+/// former have the Jacobian before the last steps of Newton's method, which are
+/// below 1e-6.
+TEST(Sensitivities, OfLanesAreThoseOfTheirOwnSolves) {
+  constexpr std::array kAll = kSceneCoordinates;
+  constexpr double kLastSteps = 1e-6;
+  for (const auto& [eta_m, theta_m, k, contact] :
+       {std::tuple(0.4, 0.7, 0.5, Contact::Smooth),
+        std::tuple(0.7, -1.2, 0.1, Contact::Smooth),
+        std::tuple(0.5, 2.0, 0.3, Contact::Centre)}) {
+    Scene scene;
+    scene.body = Body::cylinder(0.3, eta_m, theta_m, k);
+    scene.L = 2.5;
+    scene.H = 1.2;
+    scene.contact = contact;
+    SolveOptions options;
+    options.use<Collocation>().in_lanes = true;
+    const auto in_lanes =
+        solve_in_lanes(std::vector{SceneToSolve{scene, options}}).front();
+    ASSERT_TRUE(in_lanes);
+
+    const auto lanes = tau_rates(*in_lanes, kAll);
+    options.use<Collocation>().discretisation.tolerance = 1e-13;
+    const Solution exact = solve(scene, options);
+    const auto own = tau_rates(exact, kAll);
+
+    ASSERT_TRUE(lanes && own);
+    for (std::size_t i = 0; i < kAll.size(); ++i) {
+      EXPECT_NEAR(lanes->by[i], own->by[i], kLastSteps)
+          << i << " at eta " << eta_m;
+    }
+    const auto all = sensitivities(*in_lanes);
+    const auto all_own = sensitivities(exact);
+    ASSERT_TRUE(all && all_own);
+    for (std::size_t i = 0; i < kNumSceneParameters; ++i) {
+      EXPECT_NEAR(all->by[i].tau_at_fixed_contacts,
+                  all_own->by[i].tau_at_fixed_contacts, kLastSteps)
+          << i << " at eta " << eta_m;
+    }
+    if (contact == Contact::Smooth) {
+      EXPECT_NEAR(lanes->contact_response, own->contact_response, kLastSteps);
+    } else {
+      EXPECT_TRUE(std::isnan(lanes->contact_response));
+    }
+  }
+}
 
 }  // namespace
 }  // namespace brachisto

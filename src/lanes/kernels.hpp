@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// What goes into shooting and comes out of it, for each set of instructions.
+
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "lanes/lane.hpp"
+#include "lanes/many_scenes.hpp"
+
+namespace brachisto::lanes {
+
+/// The most steps on the way to a scene that there is room for.
+inline constexpr int kMostOffsets = kFine.offsets;
+
+/// A scene as shooting has it, in natural units.
+struct Milestone {
+  double eta_m = 0.0, theta_m = 0.0, k = 0.0;
+  double contact_radius = 0.0;  ///< by which the centre is off the track
+  double rotation_per_length = 0.0;
+  double L = 0.0, H = 0.0;
+  double start_angle = 0.0;
+};
+/// What is shot for, from one that is known.
+struct Target {
+  std::array<Milestone, kMostOffsets + 1> way;  ///< as far as there are steps
+  /// Of the extremal before the first step.
+  std::array<double, Extremal::kUnknowns> unknowns{};
+  double sign = 0.0;  ///< see Extremal; 0: that of the first step
+};
+using Targets = std::array<Target, kLanes>;
+using Extremals = std::array<Extremal, kLanes>;
+using Landings = std::array<Landing, kLanes>;
+
+/// The first so many of eight scenes with one set of instructions. Its
+/// functions are not inline: those who call them must not compile them too.
+template <Instructions Set, std::size_t Count = kLanes>
+struct Kernel {
+  static void shoot(const Targets& targets, const Fineness& fineness,
+                    Extremals& out);
+  /// With nothing sought.
+  static void land(const Targets& targets, const Fineness& fineness,
+                   Landings& out);
+};
+
+}  // namespace brachisto::lanes

@@ -304,9 +304,8 @@ class LimitedSolve {
     return std::move(way.path);
   }
 
-  // ---- On a mesh that knows no arcs.
+  // ---- On a mesh that knows no arcs; arcs are read off where it is finest.
 
-  /// Arcs are read off where they are known best.
   [[nodiscard]] std::optional<FittedPath> from_mesh() {
     if (!tightening_->tight() || wanted_.fixed()) return {};
     mesh_ = solve_without_arcs(

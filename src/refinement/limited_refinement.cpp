@@ -16,11 +16,12 @@
 #include "brachisto/math/index.hpp"
 #include "model/loosened_limits.hpp"
 #include "model/scene_coordinate.hpp"
-#include "refinement/arc_elements.hpp"
+#include "refinement/arc_accuracy.hpp"
 #include "refinement/arc_search.hpp"
 #include "refinement/open_conditions.hpp"
 #include "refinement/surface_passages.hpp"
 #include "refinement/tightening.hpp"
+#include "refinement/without_arcs.hpp"
 
 namespace brachisto {
 
@@ -48,7 +49,9 @@ class LimitedSolve {
   LimitedRefinement run() {
     refine(find_arcs());
     if (!answer_ && !stopped() && protocol_.status != Status::NoFastestTrack) {
-      come_from_looser();
+      if (!mesh_) static_cast<void>(from_mesh());
+      if (!mesh_) come_from_looser();
+      if (!answer_ && mesh_) take_mesh();
     }
     return finished();
   }
@@ -93,8 +96,8 @@ class LimitedSolve {
 
   [[nodiscard]] std::optional<FittedPath> find_arcs() {
     const PhaseTimer timer(Phase::Start);
-    std::optional<FittedPath> path;
     const bool tightened = tightening_->tighten() || go_around();
+    std::optional<FittedPath> path;
     if (tightened) path = read_off(kDegree);
     if (path || protocol_.status == Status::NoFastestTrack) return path;
     const Status status = protocol_.status;
@@ -110,8 +113,9 @@ class LimitedSolve {
                   tightening_->last().transit_time() / std::sqrt(scene_.H),
                   protocol_.message)
             : protocol_.message;
-    if (!stopped()) path = follow_from_loosest();
-    if (!path && tightened && end_is_sought(scene_) && !stopped() &&
+    if (tightened && !stopped()) path = from_mesh();
+    if (!path && !stopped()) path = follow_from_loosest();
+    if (!path && !mesh_ && tightened && end_is_sought(scene_) && !stopped() &&
         tightening_->bracket_contact()) {
       path = read_off(kDegree);
     }
@@ -145,11 +149,14 @@ class LimitedSolve {
     const int p = wanted_.degree.value_or(
         wanted_.fixed() ? wanted_.degree_of_fixed() : kDegree);
     if (path && wanted_.fixed()) {
-      path = on_fixed_mesh(*path, p);
+      path = on_fixed_mesh(*path, p, limits_, wanted_, arcs_);
     } else if (path && p != kDegree) {
       path = arcs_.fit(path->curve, {limits_, path->arcs, path->ends}, p).path;
     }
-    if (path) refine(std::move(path), p);
+    if (!path) return;
+    auto found =
+        refine_arcs(*std::move(path), p, limits_, wanted_, arcs_, protocol_);
+    if (found) answer_ = std::move(found);
   }
 
   [[nodiscard]] bool stopped() const { return options_.ipopt.stop.met(); }
@@ -161,27 +168,42 @@ class LimitedSolve {
     constexpr int kMostMeshes = 2;
     for (int i = 0; i < kMostMeshes; ++i) {
       if (i > 0 && !tightening_->solve_finer()) return std::nullopt;
-      const LimitedCurve& coarse = tightening_->last();
-      const std::vector<Arc> arcs = arcs_of(coarse);
-      if (kinks_at_rest(coarse, arcs)) {
-        protocol_.fail(
-            Status::NoFastestTrack,
-            "there is no fastest track under these limits: the more "
-            "sharply it turns upwards right behind A, where a normal "
-            "force bounds no turn, the faster it is; try "
-            "limits.curvature.valley");
-        return std::nullopt;
-      }
-      const ArcsFromA from_A = with_corner(coarse.problem(), arcs);
-      LimitedEnds ends = coarse.problem().ends();
-      ends.corner = from_A.corner;
-      for (const bool graded : {false, true}) {
-        auto path = arcs_.fit_corrected(coarse, {limits_, from_A.arcs, ends},
-                                        degree, graded);
-        if (path || stopped()) return path;
+      auto path = arcs_from(tightening_->last(), degree);
+      if (path || stopped() || protocol_.status == Status::NoFastestTrack) {
+        return path;
       }
     }
     return std::nullopt;
+  }
+  [[nodiscard]] std::optional<FittedPath> arcs_from(const LimitedCurve& mesh,
+                                                    int degree) {
+    const std::vector<Arc> arcs = arcs_of(mesh);
+    if (kinks_at_rest(mesh, arcs)) {
+      protocol_.fail(Status::NoFastestTrack,
+                     "there is no fastest track under these limits: the more "
+                     "sharply it turns upwards right behind A, where a normal "
+                     "force bounds no turn, the faster it is; try "
+                     "limits.curvature.valley");
+      return std::nullopt;
+    }
+    const ArcsFromA from_A = with_corner(mesh.problem(), arcs);
+    LimitedEnds ends = mesh.problem().ends();
+    ends.corner = from_A.corner;
+    for (const bool graded : {false, true}) {
+      auto path = arcs_.fit_corrected(mesh, {limits_, from_A.arcs, ends},
+                                      degree, graded);
+      if (path || stopped()) return path;
+    }
+    return std::nullopt;
+  }
+
+  /// Of Newton's method on arcs, along one way: those that lead anywhere take a
+  /// few hundred. Fewer where there is an answer already.
+  static constexpr int kMostFollowingSteps = 800, kFewFollowingSteps = 100;
+  [[nodiscard]] int newton_steps() const {
+    int steps = protocol_.record.newton_steps;
+    for (const MeshRecord& mesh : protocol_.meshes) steps += mesh.newton_steps;
+    return steps;
   }
 
   /// A scene on the way, and its limits.
@@ -223,7 +245,14 @@ class LimitedSolve {
     const PhaseTimer timer(Phase::Start);
     Followed reached{std::move(path)};
     double step = steps.first;
+    const int most =
+        newton_steps() + (mesh_ ? kFewFollowingSteps : kMostFollowingSteps);
     while (reached.path && reached.share < 1.0) {
+      if (newton_steps() > most) {
+        protocol_.fail(Status::NotConverged,
+                       "arcs were not followed to the limits in many steps");
+        break;
+      }
       const double share = std::min(1.0, reached.share + step);
       auto next = fit_beside(*reached.path, stage_at(share));
       if (stopped()) break;
@@ -275,6 +304,25 @@ class LimitedSolve {
     return std::move(way.path);
   }
 
+  // ---- On a mesh that knows no arcs; arcs are read off where it is finest.
+
+  [[nodiscard]] std::optional<FittedPath> from_mesh() {
+    if (!tightening_->tight() || wanted_.fixed()) return {};
+    mesh_ = solve_without_arcs(
+        *tightening_->tight(),
+        wanted_.tolerance.value_or(kToleranceWithoutArcs), left(), protocol_);
+    if (!mesh_ || stopped()) return {};
+    return arcs_from(mesh_->path.curve, kDegree);
+  }
+  void take_mesh() {
+    answer_.emplace(LimitedAnswer{mesh_->path, mesh_->estimated_error});
+    loosened_.clear();
+    protocol_.status = Status::Solved;
+    protocol_.message =
+        "solved under limits on a mesh that knows no arcs; where limits begin "
+        "and cease to hold was not found";
+  }
+
   // ---- From limits that ask for less, each step an answer to them.
 
   void come_from_looser() {
@@ -285,15 +333,21 @@ class LimitedSolve {
     }
   }
 
-  /// With the iterations that are left, perhaps from a path under other limits.
+  /// With the iterations that are left.
+  [[nodiscard]] IpoptOptions left() const {
+    IpoptOptions ipopt = options_.ipopt;
+    for (const MeshRecord& mesh : protocol_.meshes) {
+      ipopt.max_iterations -= mesh.iterations;
+    }
+    ipopt.max_iterations -= protocol_.record.iterations;
+    return ipopt;
+  }
+  /// With those too, perhaps from a path under other limits.
   [[nodiscard]] std::optional<FittedPath> path_under(
       const Scene& looser, const FittedPath* nearby = nullptr) {
     const PhaseTimer timer(Phase::Start);
     MeshOptions options = options_;
-    for (const MeshRecord& mesh : protocol_.meshes) {
-      options.ipopt.max_iterations -= mesh.iterations;
-    }
-    options.ipopt.max_iterations -= protocol_.record.iterations;
+    options.ipopt = left();
     if (options.ipopt.max_iterations <= 0) return std::nullopt;
     LimitedSolve solve(looser, wanted_, *free_, phi_, options);
     std::optional<FittedPath> path;
@@ -349,59 +403,6 @@ class LimitedSolve {
     }
   }
 
-  // ---- Accuracy.
-
-  void refine(std::optional<FittedPath> path, int p) {
-    constexpr int kMostMeshes = 8, kManyElements = 2000;
-    for (int i = 0; path && i < kMostMeshes; ++i) {
-      if (!wanted_.fixed() && i + 1 < kMostMeshes &&
-          path->curve.problem().mesh().num_elements() <= kManyElements &&
-          !keeps_limits(path->curve)) {
-        std::vector<Arc> arcs = path->arcs;
-        divide(path->curve, path->curve, wanted_.wanted_tolerance(), arcs);
-        path = arcs_.fit_corrected(path->curve,
-                                   {limits_, std::move(arcs), path->ends}, p);
-        continue;
-      }
-      const ArcFit finer =
-          arcs_.fit(path->curve, {limits_, path->arcs, path->ends}, p + 1);
-      if (!finer.path) return;
-      const double T = path->curve.transit_time();
-      // The difference is T's error less that of the finer one, of either sign.
-      const double error =
-          2.0 * std::abs(finer.path->curve.transit_time() / T - 1.0) +
-          path->mismatch.largest() + kRounding;
-      protocol_.record.estimated_error = error;
-      protocol_.keep_record("arcs", T);
-      answer_.emplace(LimitedAnswer{*path, error});
-      protocol_.status = Status::Solved;
-      protocol_.message = "solved under limits";
-      const double tolerance = wanted_.wanted_tolerance();
-      if (wanted_.fixed() ||
-          (error <= tolerance && keeps_limits(path->curve)) ||
-          path->curve.problem().mesh().num_elements() > kManyElements) {
-        return;
-      }
-      std::vector<Arc> arcs = finer.path->arcs;
-      divide(path->curve, finer.path->curve, 0.3 * tolerance, arcs);
-      path = arcs_.fit_corrected(
-          finer.path->curve, {limits_, std::move(arcs), finer.path->ends}, p);
-    }
-  }
-
-  /// On so many elements as are asked for, or one on each arc.
-  [[nodiscard]] std::optional<FittedPath> on_fixed_mesh(const FittedPath& path,
-                                                        int p) {
-    const int wanted =
-        wanted_.elements ? *wanted_.elements : (*wanted_.nodes - 1) / p;
-    return arcs_
-        .fit(path.curve, {limits_, with_elements(path.arcs, wanted), path.ends},
-             p)
-        .path;
-  }
-
-  static constexpr double kRounding = 1e-13;
-
   const Scene& scene_;
   Discretisation wanted_;
   std::vector<PathInequality> limits_;
@@ -413,6 +414,7 @@ class LimitedSolve {
   std::optional<Tightening> tightening_;
   std::optional<LimitedAnswer> answer_;
   std::vector<LoosenedPath> loosened_;
+  std::optional<PathWithoutArcs> mesh_;
   double reached_ = 0.0;  ///< share of the way from the loosest limits
 };
 

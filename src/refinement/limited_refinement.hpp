@@ -9,19 +9,11 @@
 #include <optional>
 #include <vector>
 
-#include "refinement/arc_fit.hpp"
+#include "refinement/arc_accuracy.hpp"
 #include "refinement/refinement.hpp"
 #include "refinement/tightening.hpp"
 
 namespace brachisto {
-
-/// A path under limits and what is known of its error.
-struct LimitedAnswer {
-  FittedPath path;
-  std::optional<double> estimated_error;  ///< relative, of T
-  /// Found by the indirect method; on the mesh nothing was solved.
-  bool sampled = false;
-};
 
 /// A path under loosened_limits() of a scene.
 struct LoosenedPath {
@@ -37,7 +29,7 @@ struct LimitedRefinement : RefinementProtocol {
   std::vector<LoosenedPath> loosened;
 };
 
-/// In three stages.
+/// In stages.
 ///
 /// - Tightening: on a coarse mesh of equal elements an interior-point method
 ///   solves a row of programs, from limits that the free extremal keeps to
@@ -51,6 +43,9 @@ struct LimitedRefinement : RefinementProtocol {
 ///   nowhere the scene is solved under limits loosened more and more, and these
 ///   are tightened as far as a path follows them, or the program, solved from
 ///   the last path, finds one further on.
+/// - Without arcs: if none fit, the program itself is solved on finer and finer
+///   meshes, and arcs are read off again. Where these do not fit either that
+///   mesh is the answer, which knows no arcs (solve_without_arcs()).
 /// - Accuracy: with the arcs known the path is as smooth on each as that of a
 ///   free extremal. Arcs get more elements until degree p + 1 on the same ones,
 ///   by which the error is estimated, changes T by no more than is wanted.

@@ -15,6 +15,7 @@
 #include "nlp/elastic.hpp"
 #include "refinement/open_conditions.hpp"
 #include "refinement/turn_meshes.hpp"
+#include "refinement/without_arcs.hpp"
 
 namespace brachisto {
 
@@ -35,29 +36,6 @@ Mesh coarse_mesh(const Scene& scene, const ExtremalCurve& free) {
   return uniform_mesh(
       kDegree,
       static_cast<int>(24 + 12 * turns(scene.body, free.arc_length())));
-}
-
-/// Elements halved where what holds changes within them or next to them.
-Mesh finer_at_changes(const LimitedCurve& curve) {
-  const LimitedTime& problem = curve.problem();
-  const Mesh& mesh = problem.mesh();
-  const auto changes = [&](int point) {
-    if (point < 1 || point >= problem.layout().num_points()) return false;
-    for (int i = 0; i < problem.layout().num_limits(); ++i) {
-      if (curve.active(point, i) != curve.active(point - 1, i)) return true;
-    }
-    return false;
-  };
-  Mesh next{mesh.degree, {0.0}};
-  for (int e = 0; e < mesh.num_elements(); ++e) {
-    bool any = false;
-    for (int c = e * mesh.degree; c <= (e + 1) * mesh.degree; ++c) {
-      any = any || changes(c);
-    }
-    if (any) next.boundaries.push_back(mesh.sigma(e, 0.5));
-    next.boundaries.push_back(mesh.boundaries[at(e + 1)]);
-  }
-  return next;
 }
 
 }  // namespace

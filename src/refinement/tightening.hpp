@@ -82,6 +82,10 @@ class Tightening {
   [[nodiscard]] const LimitRelaxation& relaxation() const {
     return relaxation_;
   }
+  /// What tighten() found last under the limits of the scene, if anything.
+  [[nodiscard]] const std::optional<LimitedCurve>& tight() const {
+    return tight_;
+  }
   /// \pre solved before
   [[nodiscard]] const LimitedCurve& last() const { return *last_; }
   /// The same, null if nothing was solved.
@@ -137,9 +141,9 @@ class Tightening {
   PassProtocol& protocol_;
   bool end_held_ = false;  ///< see bracket_contact()
   std::optional<LimitedCurve> last_;
-  std::optional<LimitedCurve> tight_;  ///< what tighten() found
-  std::vector<double> give_;           ///< by constraint
-  double given_way_ = 1.0;             ///< as a share of give_
+  std::optional<LimitedCurve> tight_;
+  std::vector<double> give_;  ///< by constraint
+  double given_way_ = 1.0;    ///< as a share of give_
   bool give_way_for_good_ = false;
   std::optional<BlockingLimit> blocking_;
 };

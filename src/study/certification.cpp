@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "refinement/without_arcs.hpp"
 #include "study/limited_shooting.hpp"
 #include "study/shooting.hpp"
 #include "trajectory/certify.hpp"
@@ -97,6 +98,14 @@ Certificate certify_answer(const LimitedAnswer& answer,
   const Mesh& mesh = answer.path.curve.problem().mesh();
   Certificate certificate =
       certify(answer.path.curve, answer.path.mismatch.largest(), estimated);
+  if (!arcs_are_known(answer.path.curve)) {
+    certificate.add("agreement", estimated,
+                    wanted.tolerance.value_or(kToleranceWithoutArcs),
+                    fmt::format("{} elements against half as many, degree {}, "
+                                "without arcs",
+                                mesh.num_elements(), mesh.degree));
+    return certificate;
+  }
   add_agreement(
       estimated, wanted,
       answer.sampled
@@ -137,6 +146,11 @@ CrossCheck cross_check(const FittedPath& found, double error,
                        const StopCondition& stop, Certificate& certificate) {
   constexpr double kSlopes = 100.0, kJunctions = 1000.0;
   const Scene& scene = found.curve.problem().scene();
+  if (!arcs_are_known(found.curve)) {
+    CrossCheck none{.message = "a path without arcs is not known to it"};
+    certificate.add("extremal", kUnmeasured, error, none.message);
+    return none;
+  }
   const LimitedExtremal other = shoot_over_arcs(found, stop);
   CrossCheck check{.solved = other.solved, .message = other.message};
   if (!check.solved) {

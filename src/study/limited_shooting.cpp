@@ -59,12 +59,14 @@ LimitedExtremal shoot_over_arcs(const FittedPath& path,
         return std::count(arc.held.begin(), arc.held.end(), nlp::Held::No) + 1 <
                static_cast<std::ptrdiff_t>(arc.held.size());
       });
-  if (!twice) {
+  if (!twice && !path.arcs.empty()) {
     return solve_limited_extremal(path.curve.problem().scene(), as_guess(path),
                                   stop);
   }
   LimitedExtremal none;
-  none.message = "arcs on which two limits hold are not known to it";
+  none.message = path.arcs.empty()
+                     ? "it needs arcs, which were not found"
+                     : "arcs on which two limits hold are not known to it";
   return none;
 }
 

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "refinement/limited_rates.hpp"
+#include "refinement/without_arcs.hpp"
 #include "trajectory/stated_limits.hpp"
 
 namespace brachisto {
@@ -39,14 +40,14 @@ double place_of(const TrajectoryPoint& at, double L) {
 
 /// Arcs of one limit that follow each other are one, as where a body needs all
 /// friction first forwards and then backwards.
-std::vector<ActiveArc> active_arcs(const FittedPath& path,
+std::vector<ActiveArc> active_arcs(const std::vector<Arc>& arcs,
+                                   const std::vector<PathInequality>& limits,
                                    const StatedLimit& stated,
                                    const LimitedMotion& motion) {
   const double L = motion.scene().L;
-  const std::vector<PathInequality>& limits = path.curve.problem().limits();
   std::vector<ActiveArc> active;
   double begin = 0.0;
-  for (const Arc& arc : path.arcs) {
+  for (const Arc& arc : arcs) {
     if (is_among(arc.held, limits, stated)) {
       const TrajectoryPoint from = motion.at(begin);
       const TrajectoryPoint to = motion.at(arc.end);
@@ -91,14 +92,17 @@ std::vector<LimitOnPath> limits_on_path(const PosedProblem& posed,
   const std::vector<StatedLimit> scaled = stated_limits(natural);
   std::vector<TrajectoryPoint> rows;
   std::unique_ptr<LimitedRates> rates;
+  const bool known = arcs_are_known(path.curve);
   if (!asked.empty()) {
     rows = motion.fine_sample(0);
-    rates = std::make_unique<LimitedRates>(path);
+    if (known) rates = std::make_unique<LimitedRates>(path);
   }
+  const std::vector<Arc> arcs = known ? path.arcs : arcs_of(path.curve);
   std::vector<LimitOnPath> out;
   for (std::size_t i = 0; i < asked.size(); ++i) {
     LimitOnPath limit{asked[i].name, asked[i].bound, {}, 0.0, 0.0, {}, {}};
-    limit.active = active_arcs(path, asked[i], motion);
+    limit.active =
+        active_arcs(arcs, path.curve.problem().limits(), asked[i], motion);
     for (const ActiveArc& arc : limit.active) {
       limit.share_of_time += (arc.t.to - arc.t.from) / motion.transit_time();
     }
@@ -111,7 +115,7 @@ std::vector<LimitOnPath> limits_on_path(const PosedProblem& posed,
       limit.least_slack = least;
     }
     // One that holds nowhere may still decide the direction at A.
-    if (rates->regular()) {
+    if (rates && rates->regular()) {
       PathLimits less = natural.limits, more = natural.limits;
       scaled[i].move(less, -kStep);
       scaled[i].move(more, kStep);

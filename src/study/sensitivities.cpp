@@ -13,6 +13,7 @@
 #include "refinement/free_rates.hpp"
 #include "refinement/lane_rates.hpp"
 #include "refinement/limited_rates.hpp"
+#include "refinement/without_arcs.hpp"
 #include "solvers/pivot_store.hpp"
 #include "study/answer_kinds.hpp"
 #include "study/tau_rates.hpp"
@@ -27,7 +28,8 @@ std::unique_ptr<TimeRates> rates_of(const Solution& solution) {
   if (const auto* found = answer_as<CollocationAnswer>(solution.answer)) {
     return FreeRates::make(found->trajectory.curve(), found->point, found->phi);
   }
-  if (const auto* found = answer_as<LimitedPathAnswer>(solution.answer)) {
+  if (const auto* found = answer_as<LimitedPathAnswer>(solution.answer);
+      found != nullptr && arcs_are_known(found->motion.curve())) {
     return LimitedRates::make(
         {found->arcs, found->ends, found->motion.curve(), {}});
   }

@@ -44,7 +44,9 @@ const DiscreteAnswer* Solution::discrete() const {
 
 std::shared_ptr<const Neighbour> Solution::as_neighbour() const {
   if (const auto* limited = answer_as<LimitedPathAnswer>(answer)) {
-    if (options.of<Collocation>() == nullptr) return nullptr;
+    if (options.of<Collocation>() == nullptr || limited->arcs.empty()) {
+      return nullptr;
+    }
     const LimitedCurve& curve = limited->motion.curve();
     return std::make_shared<const Neighbour>(Neighbour{
         without_whole_turns(scene), curve.problem().mesh(), curve.point(),

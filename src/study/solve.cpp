@@ -348,8 +348,8 @@ void refine_under_limits(const PosedProblem& posed, const Start& start,
                      posed.mesh_options_after(out.effort));
   conclude(posed, found, out);
   for (int round = 1; round < kRounds; ++round) {
-    if (!found.answer || wanted.fixed() || posed.stop().met() ||
-        !under_resolved(out.certificate)) {
+    if (!found.answer || found.answer->path.arcs.empty() || wanted.fixed() ||
+        posed.stop().met() || !under_resolved(out.certificate)) {
       return;
     }
     FittedPath path = found.answer->path;

@@ -82,12 +82,25 @@ void LimitedTime::bound_slopes(double steepest) {
   }
 }
 
+void LimitedTime::draw_in(std::vector<std::vector<double>> margins) {
+  margins_ = std::move(margins);
+  bound_limits();
+}
+
+double LimitedTime::margin(int point, int limit) const {
+  if (margins_.empty()) return 0.0;
+  const int e = point / mesh().degree;
+  const double from_A =
+      e > 0 ? 1.0 : scheme().rule.points[at(point % mesh().degree)];
+  return from_A * margins_[at(e)][at(limit)];
+}
+
 void LimitedTime::bound_limits() {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  const auto bound = [&](int row, const PathInequality& limit,
-                         nlp::Held where) {
-    double lower = limit.lower;
-    double upper = limit.upper;
+  const auto bound = [&](int row, const PathInequality& limit, nlp::Held where,
+                         double margin = 0.0) {
+    double lower = limit.lower + margin;
+    double upper = limit.upper - margin;
     if (held_) {
       const double value = where == nlp::Held::AtLower ? lower : upper;
       lower = where == nlp::Held::No ? -kInfinity : value;
@@ -98,7 +111,7 @@ void LimitedTime::bound_limits() {
   for (int i = 0; i < layout().num_limits(); ++i) {
     for (int c = 0; c < layout().num_points(); ++c) {
       bound(layout().limit(c, i), limits()[at(i)],
-            held_ ? held_at(c, i) : nlp::Held::No);
+            held_ ? held_at(c, i) : nlp::Held::No, margin(c, i));
     }
     // The place of the last point is given: its limit would say so again.
     if (!free_contacts() &&

@@ -83,8 +83,18 @@ class LimitedTime final : public CollocatedTime<rolling::Turning> {
   [[nodiscard]] bool pushed() const { return scene().world.start_speed > 0.0; }
   /// The same with all limits as inequalities.
   [[nodiscard]] LimitedTime as_inequalities() const {
-    return {scene(), limits(), mesh(), ends_};
+    LimitedTime out(scene(), limits(), mesh(), ends_);
+    out.draw_in(margins_);
+    return out;
   }
+  /// Draws the bounds of limits in at the points of each element, from A on as
+  /// the place in the first one grows: between the points a path that keeps
+  /// them just there may exceed them.
+  ///
+  /// \param margins  by element, then limit, ≥ 0; or none
+  void draw_in(std::vector<std::vector<double>> margins);
+  /// By which the bounds of a limit are drawn in at a point.
+  [[nodiscard]] double margin(int point, int limit) const;
   /// The same program with other bounds of its limits, lengths of its elements
   /// and ends of the same kind.
   void change(std::vector<PathInequality> limits, Mesh mesh,
@@ -176,6 +186,7 @@ class LimitedTime final : public CollocatedTime<rolling::Turning> {
 
   LimitedEnds ends_;
   std::optional<HeldLimits> held_;
+  std::vector<std::vector<double>> margins_;  ///< see draw_in()
 };
 
 }  // namespace brachisto

@@ -1,0 +1,309 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "refinement/without_arcs.hpp"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "brachisto/math/index.hpp"
+#include "nlp/elastic.hpp"
+#include "refinement/open_conditions.hpp"
+#include "trajectory/reintegration.hpp"
+
+namespace brachisto {
+
+namespace {
+
+/// By element, then limit.
+using Margins = std::vector<std::vector<double>>;
+
+Mesh halved(const Mesh& mesh) {
+  Mesh next{mesh.degree, {0.0}};
+  for (int e = 0; e < mesh.num_elements(); ++e) {
+    next.boundaries.push_back(mesh.sigma(e, 0.5));
+    next.boundaries.push_back(mesh.boundaries[at(e + 1)]);
+  }
+  return next;
+}
+
+class WithoutArcs {
+ public:
+  WithoutArcs(const LimitedCurve& coarse, const IpoptOptions& ipopt,
+              PassProtocol& protocol)
+      : scene_(coarse.problem().scene()),
+        limits_(coarse.problem().limits()),
+        ipopt_(ipopt),
+        protocol_(protocol),
+        curve_(coarse),
+        ends_(coarse.problem().ends()) {}
+
+  [[nodiscard]] std::optional<PathWithoutArcs> run(double tolerance) {
+    constexpr int kMostMeshes = 12, kMostElements = 800;
+    constexpr double kShare = 0.1;
+    if (!close(curve_.problem().mesh())) return std::nullopt;
+    double before = curve_.transit_time();
+    double change = 1.0;
+    for (int i = 0; i < kMostMeshes && change > kShare * tolerance; ++i) {
+      const Mesh next = finer_at_changes(curve_);
+      if (next.num_elements() > kMostElements || !close(next)) break;
+      change = std::abs(curve_.transit_time() / before - 1.0);
+      before = curve_.transit_time();
+    }
+    for (int i = 0; i < 2; ++i) {
+      before = curve_.transit_time();
+      ends_as_it_does_ = false;
+      if (!close(halved(curve_.problem().mesh()))) return std::nullopt;
+      const double free_time = curve_.transit_time();
+      if (!keep_between()) continue;
+      const double error = 2.0 * std::abs(free_time / before - 1.0) +
+                           std::abs(curve_.transit_time() / free_time - 1.0) +
+                           cost_of_margins() + mismatch_.largest() + kRounding;
+      protocol_.record.estimated_error = error;
+      protocol_.keep_record("mesh", curve_.transit_time());
+      if (error <= tolerance) {
+        return PathWithoutArcs{{{}, ends_, curve_, mismatch_}, error};
+      }
+    }
+    static_cast<void>(protocol_.fail(
+        Status::NotConverged, "without arcs the mesh did not become accurate"));
+    return std::nullopt;
+  }
+
+ private:
+  static constexpr double kRounding = 1e-13;
+  /// What limits are kept by in any case, well above what a certificate allows
+  /// them to be exceeded by.
+  static constexpr double kLeastMargin = 1e-7;
+
+  [[nodiscard]] Margins least_margins(const Mesh& mesh) const {
+    return Margins(at(mesh.num_elements()),
+                   std::vector<double>(limits_.size(), kLeastMargin));
+  }
+
+  /// On a mesh, from the last path.
+  [[nodiscard]] bool close(const Mesh& mesh) {
+    margins_ = least_margins(mesh);
+    return close_contact(mesh);
+  }
+
+  [[nodiscard]] LimitedTime problem_on(const Mesh& mesh,
+                                       const LimitedEnds& ends) const {
+    LimitedTime problem(scene_, limits_, mesh, ends);
+    problem.draw_in(margins_);
+    problem.bound_slopes(std::numbers::pi);
+    return problem;
+  }
+
+  /// The slopes that the contacts are built from, by Broyden's method from the
+  /// fixed-point iteration on.
+  [[nodiscard]] bool close_contact(const Mesh& mesh) {
+    constexpr int kMostPasses = 40;
+    constexpr double kClosed = 1e-10, kLargestStep = 0.1, kSmallestStep = 1e-3;
+    auto ends = with_start(ends_, scene_, limits_, curve_.holds_control(0));
+    if (!ends || !solve(problem_on(mesh, *ends), false)) return false;
+    ends_ = *ends;
+    Eigen::VectorXd open = open_now();
+    Eigen::MatrixXd B = -Eigen::MatrixXd::Identity(open.size(), open.size());
+    double largest = kLargestStep;
+    for (int i = 0; i < kMostPasses; ++i) {
+      if (mismatch_.largest() <= kClosed) return true;
+      Eigen::VectorXd step = B.fullPivLu().solve(-open);
+      if (!step.allFinite()) return false;
+      step *= std::min(1.0, largest / step.cwiseAbs().maxCoeff());
+      ends = moved(ends_, step);
+      if (!solve(problem_on(mesh, *ends), true)) {
+        largest = 0.3 * step.cwiseAbs().maxCoeff();
+        if (largest < kSmallestStep || ipopt_.stop.met()) return false;
+        continue;
+      }
+      ends_ = *ends;
+      const Eigen::VectorXd before = std::exchange(open, open_now());
+      B += (open - before - B * step) * step.transpose() / step.squaredNorm();
+    }
+    return protocol_.fail(Status::NotConverged,
+                          "without arcs the contact was not closed");
+  }
+  [[nodiscard]] Eigen::VectorXd open_now() {
+    mismatch_ = mismatch_of(curve_, ends_);
+    if (ends_as_it_does_ && end_is_sought(scene_)) {
+      mismatch_.at_B = curve_.at(1.0).state.beta - ends_.phi;
+    }
+    std::vector<double> out;
+    if (end_is_sought(scene_)) out.push_back(mismatch_.at_B);
+    if (start_is_sought(scene_, ends_)) out.push_back(mismatch_.at_A);
+    return Eigen::Map<Eigen::VectorXd>(out.data(),
+                                       static_cast<Eigen::Index>(out.size()));
+  }
+  [[nodiscard]] LimitedEnds moved(LimitedEnds ends,
+                                  const Eigen::VectorXd& step) const {
+    Eigen::Index i = 0;
+    if (end_is_sought(scene_)) ends.phi += step[i++];
+    if (start_is_sought(scene_, ends)) *ends.start += step[i];
+    return ends;
+  }
+
+  /// \param near  the last path is one of a scene next to this one
+  [[nodiscard]] bool solve(LimitedTime problem, bool near) {
+    constexpr double kComplementarity = 1e-13;
+    if (ipopt_.stop.met()) return false;
+    PrimalDual start = near ? curve_.point() : prolong(curve_, problem);
+    if (near && polish(problem, start)) return true;
+    SolverResult result = run(problem, start, kComplementarity);
+    if (result.status != Status::Solved && !ipopt_.stop.met()) {
+      if (!give_way(problem, start)) return false;
+      result = run(problem, start, kComplementarity);
+    }
+    if (result.status != Status::Solved) {
+      return protocol_.fail(Status::NotConverged,
+                            "without arcs: " + result.message);
+    }
+    if (!polish(problem, result.point)) {
+      curve_ = LimitedCurve(problem, std::move(result.point));
+    }
+    return true;
+  }
+  [[nodiscard]] SolverResult run(nlp::Problem& problem, const PrimalDual& start,
+                                 double complementarity) {
+    constexpr double kTolerance = 1e-11;
+    constexpr int kMostIterations = 100;
+    IpoptOptions ipopt = ipopt_;
+    ipopt.tolerance = std::max(ipopt.tolerance, kTolerance);
+    ipopt.complementarity = complementarity;
+    ipopt.max_iterations = std::min(ipopt_.max_iterations, kMostIterations);
+    SolverResult result = solve_with_ipopt(problem, start, ipopt);
+    ipopt_.max_iterations -= result.iterations;
+    MeshRecord& record = protocol_.record;
+    record.iterations += result.iterations;
+    ++record.passes;
+    record.linear_solver = result.linear_solver;
+    protocol_.log += result.log;
+    return result;
+  }
+  /// Moves a start to where limits that give way at a price are kept.
+  [[nodiscard]] bool give_way(LimitedTime& problem, PrimalDual& start) {
+    constexpr double kGive = 0.1, kPrice = 100.0, kNone = 1e-6;
+    constexpr double kComplementarity = 1e-9;
+    const VariableLayout& layout = problem.layout();
+    std::vector<double> give(at(problem.num_constraints()), 0.0);
+    for (int i = 0; i < layout.num_limits(); ++i) {
+      for (int c = 0; c < layout.num_points(); ++c) {
+        const int row = layout.limit(c, i);
+        if (problem.constraint_range(row).bounded()) give[at(row)] = kGive;
+      }
+    }
+    nlp::Elastic elastic(problem, give, kPrice);
+    SolverResult result =
+        run(elastic, elastic.with_elasticity(start, 1.0), kComplementarity);
+    if (result.status != Status::Solved || result.point.x.back() > kNone) {
+      return protocol_.fail(Status::NotConverged,
+                            "without arcs: " + result.message);
+    }
+    start = elastic.without_elasticity(std::move(result.point));
+    return true;
+  }
+  [[nodiscard]] bool polish(LimitedTime& problem, const PrimalDual& start) {
+    NewtonOptions newton;
+    newton.tolerance = 1e-11;
+    newton.to_rounding = true;
+    newton.chain_alone = true;
+    newton.stop = ipopt_.stop;
+    NewtonResult result = solve_with_newton(problem, start, newton);
+    protocol_.record.newton_steps += result.iterations;
+    if (result.status != Status::Solved || !result.active_set_holds) {
+      return false;
+    }
+    curve_ = LimitedCurve(problem, std::move(result.point));
+    return true;
+  }
+
+  /// Draws bounds in until limits are kept between the points, by the solution
+  /// and by the motion that its control makes. The track is to end where the
+  /// path does, whose slope there is less accurate than that of costates.
+  [[nodiscard]] bool keep_between() {
+    constexpr int kMostPasses = 12;
+    constexpr double kExcess = 1e-9, kMore = 1.2, kMoreOfMotion = 2.0;
+    ends_as_it_does_ = true;
+    for (int i = 0; i < kMostPasses; ++i) {
+      const Mesh mesh = curve_.problem().mesh();
+      if (!close_contact(mesh)) return false;
+      bool kept = true;
+      for (int e = 0; e < mesh.num_elements(); ++e) {
+        double where = 0.0;
+        const Excess excess = curve_.excess_on(e, where);
+        if (!std::isfinite(excess.value)) return false;
+        if (excess.value <= kExcess) continue;
+        kept = false;
+        margins_[at(e)][at(excess.limit)] += kMore * excess.value;
+      }
+      if (!kept) continue;
+      const double of_motion = reintegrate(curve_).excess;
+      if (of_motion <= kExcess) return true;
+      for (std::vector<double>& margins : margins_) {
+        for (double& margin : margins) margin += kMoreOfMotion * of_motion;
+      }
+    }
+    return protocol_.fail(Status::NotConverged,
+                          "without arcs limits were not kept between points");
+  }
+
+  /// To first order, as a share of T.
+  [[nodiscard]] double cost_of_margins() const {
+    const LimitedTime& problem = curve_.problem();
+    double sum = 0.0;
+    for (int c = 0; c < problem.layout().num_points(); ++c) {
+      for (int i = 0; i < problem.layout().num_limits(); ++i) {
+        const int row = problem.layout().limit(c, i);
+        sum += problem.margin(c, i) * std::abs(curve_.point().lambda[at(row)]);
+      }
+    }
+    return sum / curve_.transit_time();
+  }
+
+  Scene scene_;
+  std::vector<PathInequality> limits_;
+  IpoptOptions ipopt_;
+  PassProtocol& protocol_;
+  LimitedCurve curve_;
+  LimitedEnds ends_;
+  ContactMismatch mismatch_;
+  bool ends_as_it_does_ = false;  ///< see keep_between()
+  Margins margins_;
+};
+
+}  // namespace
+
+Mesh finer_at_changes(const LimitedCurve& curve) {
+  const LimitedTime& problem = curve.problem();
+  const Mesh& mesh = problem.mesh();
+  const auto changes = [&](int point) {
+    if (point < 1 || point >= problem.layout().num_points()) return false;
+    for (int i = 0; i < problem.layout().num_limits(); ++i) {
+      if (curve.active(point, i) != curve.active(point - 1, i)) return true;
+    }
+    return false;
+  };
+  Mesh next{mesh.degree, {0.0}};
+  for (int e = 0; e < mesh.num_elements(); ++e) {
+    bool any = false;
+    for (int c = e * mesh.degree; c <= (e + 1) * mesh.degree; ++c) {
+      any = any || changes(c);
+    }
+    if (any) next.boundaries.push_back(mesh.sigma(e, 0.5));
+    next.boundaries.push_back(mesh.boundaries[at(e + 1)]);
+  }
+  return next;
+}
+
+std::optional<PathWithoutArcs> solve_without_arcs(const LimitedCurve& coarse,
+                                                  double tolerance,
+                                                  const IpoptOptions& ipopt,
+                                                  PassProtocol& protocol) {
+  return WithoutArcs(coarse, ipopt, protocol).run(tolerance);
+}
+
+}  // namespace brachisto

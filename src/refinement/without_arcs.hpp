@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+/// \file
+/// The path under limits on a mesh that knows no arcs.
+
+#pragma once
+
+#include <optional>
+
+#include "refinement/arc_fit.hpp"
+#include "refinement/pass_protocol.hpp"
+
+namespace brachisto {
+
+/// Of T, relative, what a path without arcs may err by where no other tolerance
+/// is stated: at junctions, which lie within elements, its program has order
+/// one or two.
+inline constexpr double kToleranceWithoutArcs = 1e-4;
+
+/// Whether limits are equations along known arcs; else they are inequalities.
+[[nodiscard]] inline bool arcs_are_known(const LimitedCurve& curve) {
+  return curve.problem().held().has_value();
+}
+
+/// A solution of the program that keeps the limits between the points too. It
+/// has no arcs.
+struct PathWithoutArcs {
+  FittedPath path;
+  /// Relative, of T: twice what the last mesh, finer everywhere, changed, and
+  /// what it costs to keep the limits between the points.
+  double estimated_error;
+};
+
+/// The program under the limits of the scene, on elements that are halved where
+/// what holds changes, until T changes by no more than a share of the
+/// tolerance; then on all of them halved. Where the path exceeds a limit
+/// between the points the bounds of its element are drawn in by as much. The
+/// contact is closed on each mesh.
+///
+/// \param coarse     a solution of the same limits as inequalities
+/// \param tolerance  relative, of T
+/// \return nothing if a mesh has no solution, or so many do not suffice; the
+///         protocol tells why
+[[nodiscard]] std::optional<PathWithoutArcs> solve_without_arcs(
+    const LimitedCurve& coarse, double tolerance, const IpoptOptions& ipopt,
+    PassProtocol& protocol);
+
+/// Elements halved where what holds changes within them or next to them.
+[[nodiscard]] Mesh finer_at_changes(const LimitedCurve& curve);
+
+}  // namespace brachisto

@@ -174,7 +174,8 @@ TEST(Completion, OfBashOffersWordsKeysFilesAndDirectories) {
   EXPECT_EQ(here({"export", ""}), Names{"dir"});
   EXPECT_EQ(here({"schema", ""}), (Names{"problem", "result"}));
   EXPECT_EQ(here({"solve", "x", "--color", "a"}), (Names{"always", "auto"}));
-  EXPECT_EQ(here({"solve", "--certify", ""}), (Names{"extremal", "none", "proof"}));
+  EXPECT_EQ(here({"solve", "--certify", ""}),
+            (Names{"extremal", "none", "proof"}));
   EXPECT_EQ(here({"solve", "--set", "scene.finish."}),
             (Names{"scene.finish.H=", "scene.finish.L="}));
   // Readline makes three words of it, unless it is told otherwise.

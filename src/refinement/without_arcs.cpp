@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "brachisto/math/index.hpp"
+#include "math/dense.hpp"
 #include "nlp/elastic.hpp"
 #include "refinement/open_conditions.hpp"
 #include "trajectory/reintegration.hpp"
@@ -112,7 +113,7 @@ class WithoutArcs {
     double largest = kLargestStep;
     for (int i = 0; i < kMostPasses; ++i) {
       if (mismatch_.largest() <= kClosed) return true;
-      Eigen::VectorXd step = B.fullPivLu().solve(-open);
+      Eigen::VectorXd step = math::solve_next_to_singular(B, -open);
       if (!step.allFinite()) return false;
       step *= std::min(1.0, largest / step.cwiseAbs().maxCoeff());
       ends = moved(ends_, step);

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -18,6 +19,7 @@
 #include "io/input_tree.hpp"
 #include "math/cpu_clock.hpp"
 #include "proof/certificate.hpp"
+#include "report/result_field.hpp"
 
 namespace brachisto::app {
 
@@ -50,10 +52,10 @@ proof::Json compared(const fs::path& result, const proof::Json& certificate) {
 
 std::string in_words_compared(const proof::Json& compared) {
   return fmt::format(
-      "  The result's τ = {:.15g} is off by at most {:.1e}: {} its estimated "
+      "  The result's τ = {:.15g} is off by at most {}: {} its estimated "
       "error, {:.1e}\n",
       compared.at("tau").get<double>(),
-      compared.at("off_at_most").get<double>(),
+      report::at_most_in_words(compared.at("off_at_most").get<double>()),
       compared.at("within_estimate").get<bool>() ? "within" : "more than",
       compared.at("estimated_error_of_tau").get<double>());
 }
@@ -78,6 +80,9 @@ proof::Json best_proof(const Scene& scene, const ProgressHook& progress) {
       if (!left_open(best)) return best;
     } catch (const proof::TooFewBits&) {
       if (bits == kBits.back() && best.is_null()) throw;
+    } catch (const std::exception&) {
+      if (best.is_null()) throw;
+      return best;
     }
   }
   return best;
@@ -92,8 +97,11 @@ std::optional<int> become_prover() {
 std::vector<report::OutputFile> prove_answer(Solution& solution,
                                              const StopCondition& stop,
                                              const ProgressHook& progress) {
-  if (!solution.verified()) return {};
   Proof& told = solution.proof.emplace();
+  if (!solution.verified()) {
+    told.not_proven_because = "the answer is not verified";
+    return {};
+  }
   const double begin = process_cpu_seconds();
   std::vector<report::OutputFile> files;
   try {
@@ -105,14 +113,14 @@ std::vector<report::OutputFile> prove_answer(Solution& solution,
     const double found = solution.motion()->tau();
     told.off_at_most = proof::distance_to_tau(made, found);
     // Of another method than the answer's, which may have found another one.
-    constexpr double kTheSame = 1e-6;
-    if (!(told.off_at_most <= kTheSame * found)) {
+    const double estimated = solution.estimated_error.value_or(0.0);
+    const double the_same = std::max(1e-6, 10.0 * estimated);
+    if (!(told.off_at_most <= the_same * found)) {
       throw proof::NotProven(
           fmt::format("the extremal that is proven is another one, of τ = {}",
                       told.tau_lower));
     }
-    told.within_estimate =
-        told.off_at_most <= solution.estimated_error.value_or(0.0) * found;
+    told.within_estimate = told.off_at_most <= estimated * found;
     for (const auto& [name, said] : made.at("theorems").items()) {
       told.statements.push_back(
           {name, said.at("holds").get<bool>(), said.value("why_not", "")});
@@ -120,10 +128,10 @@ std::vector<report::OutputFile> prove_answer(Solution& solution,
     told.bits = made.at("accuracy").at("bits").get<int>();
     files = {{kProofDocument, made.dump(1) + "\n"},
              {kProofPage, proof::page(made)}};
-  } catch (const proof::NotProven& error) {
-    told.not_proven_because = error.what();
   } catch (const Stopped&) {
     told.not_proven_because = "stopped before the end";
+  } catch (const std::exception& error) {  // the answer is not to be lost
+    told.not_proven_because = error.what();
   }
   told.cpu_seconds = process_cpu_seconds() - begin;
   return files;
@@ -185,7 +193,7 @@ int check_proof(const CheckFlags& flags) {
       print_json(again);
     } else if (!flags.quiet) {
       print("Shown again with more bits, more terms and shorter steps.\n" +
-            proof::in_words(certificate));
+            proof::in_words(again));
     }
   } catch (const proof::Refused& error) {
     return not_shown("refused", error.what(), flags.json);

@@ -49,6 +49,14 @@ int run(const SolveFlags& flags) {
   const auto* program = problem.options.of<Collocation>();
   const bool proves = program != nullptr && program->certify == Certify::Proof;
   if (proves) {
+    // Another program may have to read it again.
+    if (flags.file == "-") {
+      tell_error(
+          "brachisto: solver.certify: a proof needs a problem file with a "
+          "name, "
+          "not -\n");
+      return kUsage;
+    }
     if (const auto code = become_prover()) return *code;
   }
   if (!flags.out.empty()) {

@@ -30,19 +30,26 @@ int hand_over() {
   std::ifstream file("/proc/self/cmdline", std::ios::binary);
   std::string words{std::istreambuf_iterator<char>(file), {}};
   std::vector<char*> arguments;
+  if (words.empty() || words.back() != '\0') words.push_back('\0');
   for (std::size_t at = 0; at < words.size(); at = words.find('\0', at) + 1) {
     arguments.push_back(words.data() + at);
   }
   arguments.push_back(nullptr);
   std::error_code error;
   const fs::path here = fs::read_symlink("/proc/self/exe", error).parent_path();
-  for (const char* place : {BRACHISTO_PROVER_FROM_BINARY, "brachisto-prove"}) {
-    ::execv((here / place).c_str(), arguments.data());
+  const fs::path installed =
+      (here / BRACHISTO_PROVER_FROM_BINARY).lexically_normal();
+  for (const fs::path& place : {installed, here / "brachisto-prove"}) {
+    if (error) break;  // it is not known where this program stands
+    ::execv(place.c_str(), arguments.data());
+    if (place == installed) error.assign(errno, std::generic_category());
+    if (error == std::errc::no_such_file_or_directory && place == installed) {
+      error.clear();  // in a build it stands beside this one
+    }
   }
-  tell_error(fmt::format(
-      "brachisto: no proofs: {} cannot be run ({})\n",
-      (here / BRACHISTO_PROVER_FROM_BINARY).lexically_normal().string(),
-      std::generic_category().message(errno)));
+  if (!error) error.assign(errno, std::generic_category());
+  tell_error(fmt::format("brachisto: no proofs: {} cannot be run ({})\n",
+                         installed.string(), error.message()));
   return kIoError;
 }
 

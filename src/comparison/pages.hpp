@@ -24,7 +24,10 @@ namespace brachisto::comparison {
 /// A document with all there is, each picture with its numbers and script, and
 /// last the page, index.html. It has the result in one sentence, then the
 /// picture, then what failed and why, and the tables folded. It is well-formed
-/// XML too. \param interrupt  nonzero: stop; may be null \throws Stopped
+/// XML too.
+///
+/// \param interrupt  nonzero: stop; may be null
+/// \throws Stopped
 [[nodiscard]] report::DrawnFiles files_of(const WorkPrecision& found,
                                           const std::atomic<int>* interrupt);
 [[nodiscard]] report::DrawnFiles files_of(const MethodComparison& made,

@@ -181,7 +181,9 @@ bool ClosedTimes::move_to(const Traits& traits, const Traits& wanted) {
   }
   const std::optional<TauRates> slopes = tau_rates(solution, coordinates);
   if (!slopes) {
-    refusal_ = "the branch turns there, and τ has no derivatives";
+    refusal_ =
+        "τ has no derivatives there: the branch turns, or limits hold along "
+        "arcs that are not known";
     return false;
   }
   gradient_ = Traits::Map(slopes->by.data());

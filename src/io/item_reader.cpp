@@ -133,9 +133,11 @@ class ItemReader {
       good = good && item;
       if (!item) continue;
       if (spec_.value.once && std::ranges::count(all, *item) > 0) {
-        refuse(value.position,
-               fmt::format("{} is repeated", in_quotes(value.text)),
-               ", each once");
+        refuse(
+            value.position,
+            fmt::format("{} is repeated",
+                        value.text.empty() ? "an item" : in_quotes(value.text)),
+            ", each once");
         good = false;
       }
       all.push_back(*std::move(item));

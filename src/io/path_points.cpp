@@ -68,6 +68,7 @@ Objection put_points(Draft& problem, const Json& list, Binding::Row) {
   for (std::size_t i = 0; i < list.size(); ++i) {
     const Point point{list[i][0], list[i][1]};
     if (const std::string why = objection(path->points, point); !why.empty()) {
+      problem.scene.path = std::move(path);  // as far as it is one
       return {fmt::format("[{}, {}] {}", point.x, point.z, why), i};
     }
     path->points.push_back(point);

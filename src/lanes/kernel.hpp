@@ -331,8 +331,8 @@ void Shooting<Set, Count>::finish(Extremals& out) {
   const auto time_of = [](const Shot& shot, const Unknowns& by) {
     return shot.T + by[0] * shot.residual[0] + by[1] * shot.residual[1];
   };
-  Shot whole;
-  Number T_half;
+  Shot whole{};
+  Number T_half(0.0);
   auto moving = good_;
   for (int i = 0; i < kMostSteps && any(moving); ++i) {
     if (i < 2) {

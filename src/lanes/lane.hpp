@@ -118,17 +118,23 @@ struct Lane {
   friend Lane sqrt(const Lane& a) {
     Lane out;
 #if defined(__AVX512F__)
-    static_assert(Count == 8);
     // Without a mask g++ 12 warns of its own header.
-    out.v = Numbers(_mm512_maskz_sqrt_pd(0xff, __m512d(a.v)));
-#elif defined(__AVX__)
-    static_assert(Count % 4 == 0);
-    const auto* from = reinterpret_cast<const double*>(&a.v);
-    auto* to = reinterpret_cast<double*>(&out.v);
-    for (std::size_t i = 0; i < Count; i += 4) {
-      _mm256_storeu_pd(to + i, _mm256_sqrt_pd(_mm256_loadu_pd(from + i)));
+    if constexpr (Count == 8) {
+      out.v = Numbers(_mm512_maskz_sqrt_pd(0xff, __m512d(a.v)));
+      return out;
     }
-#elif defined(__SSE2__)
+#endif
+#if defined(__AVX__)
+    if constexpr (Count % 4 == 0) {
+      const auto* from = reinterpret_cast<const double*>(&a.v);
+      auto* to = reinterpret_cast<double*>(&out.v);
+      for (std::size_t i = 0; i < Count; i += 4) {
+        _mm256_storeu_pd(to + i, _mm256_sqrt_pd(_mm256_loadu_pd(from + i)));
+      }
+      return out;
+    }
+#endif
+#if defined(__SSE2__)
     const auto* from = reinterpret_cast<const double*>(&a.v);
     auto* to = reinterpret_cast<double*>(&out.v);
     for (std::size_t i = 0; i < Count; i += 2) {

@@ -95,7 +95,9 @@ std::optional<SolvedProgram> solved_program(const Solution& solution) {
   }
   if (const auto* found = answer_as<LimitedPathAnswer>(solution.answer)) {
     const LimitedCurve& curve = found->motion.curve();
-    LimitedTime problem = curve.problem().as_inequalities();
+    const LimitedTime& solved = curve.problem();
+    LimitedTime problem(solved.scene(), solved.limits(), solved.mesh(),
+                        solved.ends());
     PrimalDual guess = cycloid_guess(problem, *posed.cycloid);
     std::optional<double> end_slope;
     if (!problem.free_contacts()) end_slope = problem.ends().phi;

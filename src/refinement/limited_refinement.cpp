@@ -49,8 +49,8 @@ class LimitedSolve {
   LimitedRefinement run() {
     refine(find_arcs());
     if (!answer_ && !stopped() && protocol_.status != Status::NoFastestTrack) {
-      if (!mesh_) static_cast<void>(from_mesh());
-      if (!mesh_) come_from_looser();
+      if (!tried_mesh_) refine(from_mesh());
+      if (!answer_ && !mesh_) come_from_looser();
       if (!answer_ && mesh_) take_mesh();
     }
     return finished();
@@ -307,6 +307,7 @@ class LimitedSolve {
   // ---- On a mesh that knows no arcs; arcs are read off where it is finest.
 
   [[nodiscard]] std::optional<FittedPath> from_mesh() {
+    tried_mesh_ = true;
     if (!tightening_->tight() || wanted_.fixed()) return {};
     mesh_ = solve_without_arcs(
         *tightening_->tight(),
@@ -414,6 +415,7 @@ class LimitedSolve {
   std::optional<Tightening> tightening_;
   std::optional<LimitedAnswer> answer_;
   std::vector<LoosenedPath> loosened_;
+  bool tried_mesh_ = false;
   std::optional<PathWithoutArcs> mesh_;
   double reached_ = 0.0;  ///< share of the way from the loosest limits
 };

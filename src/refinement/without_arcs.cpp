@@ -51,17 +51,26 @@ class WithoutArcs {
     double change = 1.0;
     for (int i = 0; i < kMostMeshes && change > kShare * tolerance; ++i) {
       const Mesh next = finer_at_changes(curve_);
-      if (next.num_elements() > kMostElements || !close(next)) break;
+      if (next.num_elements() > kMostElements) break;
+      const LimitedCurve last = curve_;
+      const LimitedEnds last_ends = ends_;
+      if (!close(next)) {
+        curve_ = last;
+        ends_ = last_ends;
+        break;
+      }
       change = std::abs(curve_.transit_time() / before - 1.0);
       before = curve_.transit_time();
     }
     for (int i = 0; i < 2; ++i) {
-      before = curve_.transit_time();
       ends_as_it_does_ = false;
       if (!close(halved(curve_.problem().mesh()))) return std::nullopt;
+      // With least margins, as before: what the mesh alone has changed.
       const double free_time = curve_.transit_time();
+      const double of_mesh =
+          std::abs(free_time / std::exchange(before, free_time) - 1.0);
       if (!keep_between()) continue;
-      const double error = 2.0 * std::abs(free_time / before - 1.0) +
+      const double error = 2.0 * of_mesh +
                            std::abs(curve_.transit_time() / free_time - 1.0) +
                            cost_of_margins() + mismatch_.largest() + kRounding;
       protocol_.record.estimated_error = error;

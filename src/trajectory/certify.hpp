@@ -135,7 +135,8 @@ class LimitedCurve;
 ///   defects          equality constraints and bounds
 ///   limits           by how much a limit is exceeded between nodes
 ///   contact_error    distance of the track's ends from A and B
-///   closure          of the slopes that the ends were built from
+///   closure          of the slopes that the ends were built from; of a path
+///                    without arcs, whose track ends with its own slope, 0
 ///   slope_angle      continuous slope angle within [−π, π]: no loop
 ///   reintegration_error  the equation of motion along the path
 ///   reintegrated_limits  by how much that motion exceeds a limit

@@ -28,7 +28,8 @@ struct Classic {
   /// What is reported is this times the cost, and this is added: −1 where
   /// something is maximised.
   double factor = 1.0, added = 0.0;
-  /// By a closed form or a method that shares no code with collocation.
+  /// By a closed form or a method that shares no code with collocation; each
+  /// classic names one.
   struct Second {
     std::string by;
     double value;

@@ -95,12 +95,12 @@ std::optional<Enclosure> enclosed_cycloid_time(double L) {
   return phi ? bounds(testing::cycloid_time(*phi)) : std::nullopt;
 }
 
-std::optional<Enclosure> enclosed_time_to_line(double g) {
-  return bounds(testing::time_to_line(Real(g)));
+std::optional<Enclosure> enclosed_time_to_line(double thousand_g) {
+  return bounds(testing::time_to_line(Real(thousand_g) / Real(1000.0)));
 }
 
-std::optional<Enclosure> enclosed_time_along_wall(double g) {
-  return bounds(testing::time_along_wall(Real(g)));
+std::optional<Enclosure> enclosed_time_along_wall(double thousand_g) {
+  return bounds(testing::time_along_wall(Real(thousand_g) / Real(1000.0)));
 }
 
 }  // namespace brachisto::benchmarks
@@ -121,10 +121,10 @@ std::optional<Enclosure> enclosed_hanging_chain() {
 std::optional<Enclosure> enclosed_cycloid_time(double /*L*/) {
   return {};
 }
-std::optional<Enclosure> enclosed_time_to_line(double /*g*/) {
+std::optional<Enclosure> enclosed_time_to_line(double /*thousand_g*/) {
   return {};
 }
-std::optional<Enclosure> enclosed_time_along_wall(double /*g*/) {
+std::optional<Enclosure> enclosed_time_along_wall(double /*thousand_g*/) {
   return {};
 }
 

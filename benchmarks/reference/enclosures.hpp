@@ -20,7 +20,9 @@ struct Enclosure {
 [[nodiscard]] std::optional<Enclosure> enclosed_least_fuel();
 [[nodiscard]] std::optional<Enclosure> enclosed_hanging_chain();
 [[nodiscard]] std::optional<Enclosure> enclosed_cycloid_time(double L);
-[[nodiscard]] std::optional<Enclosure> enclosed_time_to_line(double g);
-[[nodiscard]] std::optional<Enclosure> enclosed_time_along_wall(double g);
+/// \param thousand_g  1000 g, a number that a double is: g itself is none
+[[nodiscard]] std::optional<Enclosure> enclosed_time_to_line(double thousand_g);
+[[nodiscard]] std::optional<Enclosure> enclosed_time_along_wall(
+    double thousand_g);
 
 }  // namespace brachisto::benchmarks

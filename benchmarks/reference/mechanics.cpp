@@ -28,7 +28,8 @@ Statement named(Statement statement, const char* name) {
   return statement;
 }
 
-constexpr double kFeet = 32.174;  // ft/s²
+constexpr double kThousandFeet = 32174.0;
+constexpr double kFeet = kThousandFeet / 1000.0;  // ft/s²
 
 /// In feet and seconds.
 Statement in_feet(Statement statement, const char* name) {
@@ -105,13 +106,13 @@ std::vector<Classic> mechanics() {
       "rest at (0, 0) to x = 1 ft, |u| ≤ π/2",
       Bead{{}, kFeet}, bead_to_line("bead to a line")));
   closed_form("√(π/g)", static_cast<double>(time_to_line<long double>(kFeet)),
-              enclosed_time_to_line(kFeet));
+              enclosed_time_to_line(kThousandFeet));
   out.back().literature = {"YAPSS, test of its example", 0.312480130708665};
 
   const auto along_wall = [&] {
     closed_form("two cycloids and a slide",
                 static_cast<double>(time_along_wall<long double>(kFeet)),
-                enclosed_time_along_wall(kFeet));
+                enclosed_time_along_wall(kThousandFeet));
     out.back().literature = {"YAPSS, test of its example", 0.323331164025862};
   };
   Statement limited = bead_to_line("bead over a wall: limit");

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <stdexcept>
 
 #include "brachisto/study/solve.hpp"
 #include "math/cpu_clock.hpp"
@@ -79,6 +80,9 @@ void ask_peer(const Classic& classic, const Mesh& mesh,
 
 ClassicRow measured(const Classic& classic,
                     const std::filesystem::path& folder) {
+  if (classic.second.by.empty()) {
+    throw std::logic_error(classic.name + ": no second method is named");
+  }
   ocp::SolveBy by = classic.by;
   by.tolerance = kWanted;
   const ocp::Answer answer = ocp::solve(*classic.problem, by);

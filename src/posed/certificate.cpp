@@ -363,8 +363,8 @@ std::vector<Check> certify(const Posed& problem, nlp::Problem& program,
   const Certifier ask(problem, path);
   std::vector<Check> checks;
   const nlp::KktResidual residual = first_order(program, point);
-  checks.push_back(
-      {"optimality conditions", residual.max(), 1e-7, residual.worst_variable});
+  checks.push_back({"optimality conditions", residual.max(), kAsCertified,
+                    residual.worst_variable});
   // States err by the root of what the cost does, at worst.
   const double of_states = 10.0 * std::sqrt(tolerance);
   checks.push_back(ask.integrated().check("states integrated", of_states));

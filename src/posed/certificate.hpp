@@ -14,6 +14,9 @@
 
 namespace brachisto::ocp {
 
+/// The residual that the optimality conditions may have.
+inline constexpr double kAsCertified = 1e-7;
+
 /// Residual of the optimality conditions. What bounds leave is in the units of
 /// the cost, in which it counts in the estimate, and not per length: impulses
 /// at junctions, which limits of states have, are none of the path's functions.
@@ -29,9 +32,10 @@ namespace brachisto::ocp {
     const Posed& problem, nlp::Problem& program, const PrimalDual& point,
     const MeshPath& path, double relative_error, double tolerance, bool exact);
 
-/// What a path gains between its points, where no equation and no bound is
-/// asked for: the largest excess over each bound of states and limits, times
-/// the bound's price, and what the equations are missed by, by costates.
+/// What a path may gain between its points, where no equation and no bound is
+/// asked for, to first order and as a sum of absolute values: the largest
+/// excess over each bound of states and limits, times the bound's price, and
+/// what the equations are missed by on each element, by costates.
 [[nodiscard]] double cost_between_points(
     const Posed& problem, const MeshPath& path,
     const std::vector<Answer::Price>& prices);

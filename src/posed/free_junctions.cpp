@@ -195,7 +195,9 @@ class FreeJunctions final : public nlp::Problem {
   bool do_set_point(std::span<const double> x) override {
     refusal_.clear();
     const Mesh mesh = mesh_of(x);
-    if (!std::ranges::is_sorted(mesh.boundaries, std::ranges::less_equal{})) {
+    if (std::ranges::adjacent_find(mesh.boundaries,
+                                   std::ranges::greater_equal{}) !=
+        mesh.boundaries.end()) {
       refusal_ = "junctions have met";
       return false;
     }
@@ -308,10 +310,11 @@ Structure structure(const Posed& problem, const Mesh& mesh,
       const PathValues here = path.values(mesh.sigma(e, t));
       for (std::size_t k = 0; k < count; ++k) {
         const Variable& control = said.controls[k];
-        const double value =
-            here.controls[k] * problem.scales()[here.states.size() + k];
+        const double scale = problem.scales()[here.states.size() + k];
+        const double value = here.controls[k] * scale;
         const double range = control.upper - control.lower;
-        const double near = kNear * (std::isfinite(range) ? range : 1.0);
+        if (range == 0.0) continue;  // fixed: it changes nowhere
+        const double near = kNear * (std::isfinite(range) ? range : scale);
         if (value < control.lower + near) ++times[k][0];
         if (value > control.upper - near) ++times[k][1];
       }
@@ -403,7 +406,7 @@ std::optional<OnMesh> with_free_junctions(const Posed& problem,
     const nlp::Range range = here.program->variable_range(v);
     if (range.single()) start.x[at(v)] = range.lower;
   }
-  solver.solve(here, start, most_iterations);
+  solver.fill_in(here, start, most_iterations);
   if (!here.solved() || !here.exact) return std::nullopt;
   rebase(problem, here);
   if (!multiply(here)) return std::nullopt;

@@ -28,29 +28,32 @@ class Asking {
         said_(problem.statement()),
         states_(said_.states.size() + said_.parameters.size()) {}
 
-  /// Moved by itself a control changes something, somewhere along the guess.
+  /// Moved by itself a control changes something: along the guess, or off it,
+  /// as what it is multiplied by may vanish there.
   void each_control_matters() const {
     const Mesh mesh = uniform_mesh(3, 5);
     const MeshPath path(mesh, problem_.layout(mesh), guess(problem_, mesh));
+    std::vector<std::vector<double>> along, off;
+    for (int c = 0; c < mesh.num_points(); ++c) {
+      along.push_back(path.values(sigma(mesh, c)).point());
+      off.emplace_back();
+      for (std::size_t i = 0; i < problem_.scales().size(); ++i) {
+        // Evenly spread, and no two variables alike.
+        const double turns = (c + 1) * std::sqrt(static_cast<double>(i) + 1.5);
+        off.back().push_back(within(i, turns - std::floor(turns)));
+      }
+    }
     for (std::size_t k = 0; k < said_.controls.size(); ++k) {
       const Variable& control = said_.controls[k];
       if (control.lower == control.upper) continue;
-      bool matters = false;
-      for (int c = 0; c < mesh.num_points(); ++c) {
-        std::vector<double> yu = path.values(sigma(mesh, c)).point();
-        const std::vector<double> before = formulas(yu);
-        for (const double other : kOther) {
-          yu[states_ + k] = within(states_ + k, other);
-          // Not finite: it matters.
-          matters = matters || formulas(yu) != before;
-        }
+      if (may_change(along, states_ + k, false) ||
+          may_change(off, states_ + k, true)) {
+        continue;
       }
-      if (!matters) {
-        refuse(
-            fmt::format("nothing depends on {}: leave it out, or give it "
-                        "bounds that are equal",
-                        control.name));
-      }
+      refuse(
+          fmt::format("nothing depends on {}: leave it out, or give it bounds "
+                      "that are equal",
+                      control.name));
     }
   }
 
@@ -93,6 +96,26 @@ class Asking {
     const double high = std::isfinite(one.upper) ? one.upper : low + 2 * scale;
     return (low + share * (high - low)) / scale;
   }
+  /// Whether a formula changes with a variable at one of these places.
+  ///
+  /// \param unseen  what is said if a formula is finite at none of them
+  [[nodiscard]] bool may_change(const std::vector<std::vector<double>>& places,
+                                std::size_t i, bool unseen) const {
+    std::vector<bool> seen(1 + states_ + said_.limits.size(), false);
+    for (std::vector<double> yu : places) {
+      const std::vector<double> before = formulas(yu);
+      for (const double share : kOther) {
+        yu[i] = within(i, share);
+        const std::vector<double> behind = formulas(yu);
+        for (std::size_t f = 0; f < behind.size(); ++f) {
+          if (!std::isfinite(before[f]) && !std::isfinite(behind[f])) continue;
+          if (before[f] != behind[f]) return true;
+          seen[f] = true;
+        }
+      }
+    }
+    return unseen && std::ranges::count(seen, false) > 0;
+  }
   [[nodiscard]] std::vector<double> formulas(
       const std::vector<double>& yu) const {
     std::vector<double> out(1 + states_ + said_.limits.size());
@@ -126,7 +149,7 @@ class Asking {
 
 void check(const Posed& problem, const SolveBy& by) {
   const Asking ask(problem);
-  constexpr int kMostDegree = 11;
+  constexpr int kMostDegree = kLargestDegree - 1;
   if (!(by.tolerance > 0.0) || std::isinf(by.tolerance)) {
     ask.refuse(fmt::format("the tolerance, {}, is not positive", by.tolerance));
   }

@@ -27,12 +27,11 @@ std::string MeshSolver::why_not(OnMesh& here) const {
   const MeshPath path = here.path();
   // Many times what was guessed, and the largest value.
   constexpr double kLong = 30.0, kHuge = 1e5;
-  if (path.duration() > kLong * said_.duration.guess) {
-    return fmt::format(
-        "the cost falls without bound, as far as it was followed: the duration "
-        "has grown to {:.3g}; bound it, or guess it nearer",
-        path.duration());
-  }
+  const bool is_long = path.duration() > kLong * said_.duration.guess;
+  const bool is_open = std::isinf(said_.duration.upper);
+  const std::string longer =
+      fmt::format("the duration has grown to {:.3g}; {}guess it nearer",
+                  path.duration(), is_open ? "bound it, or " : "");
   double largest = 0.0;
   std::string grown;
   for (int c = 0; c < here.layout.num_points(); ++c) {
@@ -46,15 +45,17 @@ std::string MeshSolver::why_not(OnMesh& here) const {
     }
   }
   const std::string hint = size_hint(said_, problem_.scales());
-  if (largest > kHuge && hint.empty()) {
-    return "the cost falls without bound, as far as it was followed: " + grown +
-           "; bound it";
-  }
+  const std::string falls =
+      "the cost falls without bound, as far as it was followed: ";
   std::string text = not_evaluable(here);
   if (text.empty()) text = missed(here);
+  if (is_long && is_open && text.empty()) return falls + longer;
+  if (largest > kHuge && hint.empty()) return falls + grown + "; bound it";
   if (text.empty()) {
     text = "the solver came to no end: " + here.result.message;
   }
+  if (is_long) text += "; " + longer;
+  if (largest > kHuge) text += "; " + grown;
   return text + hint;
 }
 
@@ -68,14 +69,18 @@ std::string MeshSolver::not_evaluable(const OnMesh& here) const {
       return "where the search went " + found;
     }
   }
-  if (here.result.status != Status::NotEvaluable) return {};
+  std::string because = here.program->refusal();
+  if (!here.program->set_point(here.result.point.x)) {
+    because = here.program->refusal();
+  } else if (here.result.status != Status::NotEvaluable) {
+    return {};
+  }
   if (std::string found = not_smooth(problem_, here.path()); !found.empty()) {
     return found;
   }
-  const std::string because = here.program->refusal();
   return because.empty()
              ? ""
-             : "a formula was not finite where the search went: " + because;
+             : "nothing can be evaluated where the search went: " + because;
 }
 
 /// The equation that is missed most, and what stands in its way.
@@ -136,22 +141,22 @@ OnMesh MeshSolver::solved_from_guess(const Mesh& mesh) {
   // High degrees creep where low ones get on, and lead them.
   constexpr int kFew = 60;
   const int few = std::min(kFew, by_.most_iterations);
-  OnMesh here = solved_on(mesh, nullptr, few);
+  OnMesh here = solved_from(nullptr, mesh, few);
   for (const int elements : {40, 10}) {
     if (decided(here)) return here;
     const OnMesh low =
-        solved_on(uniform_mesh(1, elements), nullptr, by_.most_iterations);
+        solved_from(nullptr, uniform_mesh(1, elements), by_.most_iterations);
     if (!low.solved()) continue;
     const MeshPath from = low.path();
-    here = solved_on(mesh, &from, by_.most_iterations);
+    here = solved_from(&from, mesh, by_.most_iterations);
   }
   return decided(here) ? std::move(here)
-                       : solved_on(mesh, nullptr, by_.most_iterations);
+                       : solved_from(nullptr, mesh, by_.most_iterations);
 }
 
-OnMesh MeshSolver::solved_on(const Mesh& mesh, const MeshPath* nearby,
-                             int most_iterations) {
-  OnMesh here = on(mesh);
+OnMesh MeshSolver::solved_from(const MeshPath* nearby, const Mesh& mesh,
+                               int most_iterations) {
+  OnMesh here = not_solved(mesh);
   const PrimalDual start =
       nearby != nullptr ? nearby->on(mesh, here.layout) : guess(problem_, mesh);
   if (nearby == nullptr) {
@@ -164,12 +169,12 @@ OnMesh MeshSolver::solved_on(const Mesh& mesh, const MeshPath* nearby,
       return here;
     }
   }
-  solve(here, start, most_iterations);
+  fill_in(here, start, most_iterations);
   return here;
 }
 
-void MeshSolver::solve(OnMesh& here, const PrimalDual& start,
-                       int most_iterations) {
+void MeshSolver::fill_in(OnMesh& here, const PrimalDual& start,
+                         int most_iterations) {
   IpoptOptions options;
   options.tolerance = 1e-9;
   // All bounds together leave a tenth of what the cost may err by.
@@ -180,8 +185,6 @@ void MeshSolver::solve(OnMesh& here, const PrimalDual& start,
   options.max_iterations = most_iterations;
   options.linear_solver = by_.linear_solver;
   options.stop = by_.stop;
-  // Short of the last digits: what is left counts in the estimate.
-  constexpr double kGood = 1e-7;
   struct Attempt {
     double looser;
     LinearSolver solver;
@@ -200,7 +203,8 @@ void MeshSolver::solve(OnMesh& here, const PrimalDual& start,
         !here.program->set_point(here.result.point.x)) {
       break;
     }
-    if (first_order(*here.program, here.result.point).max() < kGood) {
+    // Short of the last digits: what is left counts in the estimate.
+    if (first_order(*here.program, here.result.point).max() < kAsCertified) {
       here.result.status = Status::Solved;
       break;
     }

@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "brachisto/posed/problem.hpp"
 #include "brachisto/solvers/program_solvers.hpp"
@@ -32,18 +33,22 @@ struct OnMesh {
   [[nodiscard]] bool solved() const { return result.status == Status::Solved; }
 };
 
+/// Solves a problem on one mesh after the other: by Ipopt, then to the last
+/// digit by Newton's method if it is known which bounds hold. The problem and
+/// the options are kept by reference.
 class MeshSolver {
  public:
   MeshSolver(const Posed& problem, const SolveBy& by)
       : problem_(problem), by_(by), said_(problem.statement()) {}
 
-  [[nodiscard]] OnMesh solved(const Mesh& mesh, const MeshPath& nearby) {
-    return solved_on(mesh, &nearby, by_.most_iterations);
+  [[nodiscard]] OnMesh solved_near(const MeshPath& nearby, const Mesh& mesh) {
+    return solved_from(&nearby, mesh, by_.most_iterations);
   }
   /// From the guess, by a detour where it is far from a path.
   [[nodiscard]] OnMesh solved_from_guess(const Mesh& mesh);
-  /// By a program for what `here` has already, moved to no point.
-  void solve(OnMesh& here, const PrimalDual& start, int most_iterations);
+  /// Solves the program that is given with its mesh and its layout, and fills
+  /// in the rest.
+  void fill_in(OnMesh& here, const PrimalDual& start, int most_iterations);
 
   /// The larger of |cost| and ∫ |L| dt; positive.
   [[nodiscard]] double size_of_cost(const OnMesh& here) const;
@@ -51,13 +56,13 @@ class MeshSolver {
   [[nodiscard]] int take_iterations() { return std::exchange(iterations_, 0); }
 
  private:
-  [[nodiscard]] OnMesh on(const Mesh& mesh) const {
+  [[nodiscard]] OnMesh not_solved(const Mesh& mesh) const {
     return {mesh, problem_.layout(mesh), problem_.on(mesh), {}, 0.0, 0.0,
             false};
   }
   /// \param nearby  a path to start from; the guess without one
-  [[nodiscard]] OnMesh solved_on(const Mesh& mesh, const MeshPath* nearby,
-                                 int most_iterations);
+  [[nodiscard]] OnMesh solved_from(const MeshPath* nearby, const Mesh& mesh,
+                                   int most_iterations);
   [[nodiscard]] std::string why_not(OnMesh& here) const;
   [[nodiscard]] std::string not_evaluable(const OnMesh& here) const;
   [[nodiscard]] std::string missed(OnMesh& here) const;

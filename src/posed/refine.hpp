@@ -43,6 +43,11 @@ struct RefinedMesh {
     return std::ranges::any_of(
         junctions, [](const Junction& j) { return j.half_width == 0.0; });
   }
+  /// Of a jump that an element encloses.
+  [[nodiscard]] bool has_width() const {
+    return std::ranges::any_of(
+        junctions, [](const Junction& j) { return j.half_width > 0.0; });
+  }
   [[nodiscard]] bool has_new() const {
     return std::ranges::any_of(junctions, &Junction::is_new);
   }

@@ -181,7 +181,9 @@ PrimalDual Settling::start(nlp::Problem& program, const Mesh& mesh) const {
 std::optional<Settled> Settling::at_kinks(
     std::span<const double> sigmas) const {
   Mesh mesh = mesh_of(sigmas);
-  if (!std::ranges::is_sorted(mesh.boundaries, std::ranges::less_equal{})) {
+  if (std::ranges::adjacent_find(mesh.boundaries,
+                                 std::ranges::greater_equal{}) !=
+      mesh.boundaries.end()) {
     return std::nullopt;
   }
   Settled out{std::move(mesh), {}, {}, 0.0};
@@ -253,10 +255,10 @@ std::optional<Settled> Settling::run() {
   auto out = at_kinks(found.x);
   if (!out) return std::nullopt;
   // Multipliers that vanish have any sign, and no more of it than certified.
-  constexpr double kGood = 1e-9, kVanishes = 1e-7;
+  constexpr double kGood = 1e-9;
   const nlp::KktResidual kkt = first_order(*out->program, out->point);
   if (std::max(kkt.infeasibility, kkt.bound_violation) > kGood ||
-      kkt.sign > kVanishes) {
+      kkt.sign > kAsCertified) {
     return std::nullopt;
   }
   return out;

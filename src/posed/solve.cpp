@@ -169,9 +169,11 @@ Solve::Judged Solve::judged(OnMesh& coarse, OnMesh& fine) {
 bool Solve::keep(OnMesh& fine, const Judged& pass,
                  const std::vector<RefinedMesh::Junction>& junctions,
                  const std::vector<double>& not_settled) {
-  if (!best_ || pass.error / pass.size < relative_) {
-    relative_ = pass.error / pass.size;
-    answer_.estimated_error = pass.error;
+  // An error that is no number is no bound: any other is better.
+  const double error = std::isnan(pass.error) ? kNoBound : pass.error;
+  if (!best_ || error / pass.size < relative_) {
+    relative_ = error / pass.size;
+    answer_.estimated_error = error;
     put_down(fine, pass.held, junctions);
     not_settled_.clear();
     for (const double place : not_settled) {
@@ -202,18 +204,15 @@ bool Solve::free_junctions(const RefinedMesh& next, const MeshPath& nearby) {
   }
   MeshPath from = nearby;
   for (int i = 0; i < kMeshes; ++i) {
-    const auto numbers = [&](const Mesh& of) {
-      std::vector<int> out;
+    const auto solved_on = [&](const Mesh& on) -> std::optional<OnMesh> {
+      std::vector<int> free;
       for (const double place : places) {
-        out.push_back(static_cast<int>(std::ranges::find(of.boundaries, place) -
-                                       of.boundaries.begin()));
+        const auto here = std::ranges::find(on.boundaries, place);
+        if (here == on.boundaries.end()) return std::nullopt;
+        free.push_back(static_cast<int>(here - on.boundaries.begin()));
       }
-      return out;
-    };
-    const auto solved_on = [&](const Mesh& on) {
-      const std::vector<int> free = numbers(on);
       auto found = with_free_junctions(problem_, solver_, on, free, from, most);
-      if (!found) return found;
+      if (!found) return std::nullopt;
       from = found->path();
       for (std::size_t k = 0; k < free.size(); ++k) {
         places[k] = found->mesh.boundaries[at(free[k])];
@@ -228,7 +227,6 @@ bool Solve::free_junctions(const RefinedMesh& next, const MeshPath& nearby) {
     const Judged pass = judged(*coarse, *fine);
     std::vector<RefinedMesh::Junction> junctions;
     for (const double place : places) junctions.push_back({place});
-    constexpr double kAsCertified = 1e-7;
     const bool holds =
         first_order(*fine->program, fine->result.point).max() < kAsCertified;
     if (holds && keep(*fine, pass, junctions, {})) return true;
@@ -271,18 +269,20 @@ Answer Solve::run() {
   RefinedMesh next{uniform_mesh(by_.degree, by_.elements).boundaries, {}};
   std::optional<MeshPath> nearby;
   constexpr int kTries = 10;
-  int tries = 0;  // with free junctions
+  int tries = 0;                // with free junctions
+  double last_cost = kNoBound;  // of the mesh before
   // What the cost errs by as junctions are not quite where they are taken to
   // be, which both meshes of a pass have in common: it falls with the square of
-  // how far they move.
+  // how far they move. Nothing once they are settled, kinks all of them.
   const auto by_places = [&](const RefinedMesh& now, const RefinedMesh& after,
-                             double cost) {
-    if (after.junctions.empty()) return 0.0;
+                             double cost, bool settled) {
     if (after.has_new()) return kNoBound;
-    const double last = answer_.passes[answer_.passes.size() - 2].cost;
+    if (settled && !now.has_width() && !after.has_width()) return 0.0;
+    if (after.junctions.empty()) return 0.0;
     constexpr double kOfJumps = 2.0, kAsKnown = 1e-5;
-    if (!after.has_kinks()) return kOfJumps * std::abs(cost - last);
-    return std::abs(cost - last) *
+    const double change = std::abs(cost - last_cost);
+    if (after.has_width()) return kOfJumps * change;
+    return change *
            std::min(1.0, std::max(kAsKnown, after.moved()) / now.moved());
   };
   const auto ended = [&](Status status, std::string message) {
@@ -292,12 +292,12 @@ Answer Solve::run() {
   ended(Status::NotConverged, "");
   for (int pass = 0; pass < by_.most_passes; ++pass) {
     const Mesh mesh = next.mesh(by_.degree);
-    OnMesh coarse = nearby ? solver_.solved(mesh, *nearby)
+    OnMesh coarse = nearby ? solver_.solved_near(*nearby, mesh)
                            : solver_.solved_from_guess(mesh);
     OnMesh* failed = coarse.solved() ? nullptr : &coarse;
     std::optional<OnMesh> halves;
     if (failed == nullptr) {
-      halves.emplace(solver_.solved(halved(mesh), coarse.path()));
+      halves.emplace(solver_.solved_near(coarse.path(), halved(mesh)));
       if (!halves->solved()) failed = &*halves;
     }
     if (failed != nullptr) {
@@ -320,8 +320,9 @@ Answer Solve::run() {
     RefinedMesh after = refined(next, {coarse_path, fine_path, found.held},
                                 found.errors, share);
     std::vector<double> not_settled;
+    found.error += by_places(next, after, fine.cost, settled);
+    last_cost = fine.cost;
     if (!settled) {
-      found.error += by_places(next, after, fine.cost);
       for (const RefinedMesh::Junction& junction : next.junctions) {
         if (junction.half_width == 0.0) not_settled.push_back(junction.sigma);
       }

@@ -14,13 +14,18 @@
 
 namespace brachisto::ocp {
 
+bool Guess::too_few() const {
+  const auto* values = std::get_if<std::vector<double>>(&is_);
+  return values != nullptr && values->size() < 2;
+}
+
 double Guess::at(double share) const {
   if (const double* value = std::get_if<double>(&is_)) return *value;
   if (const Function* function = std::get_if<Function>(&is_)) {
     return (*function)(share);
   }
   const std::vector<double>& values = std::get<std::vector<double>>(is_);
-  if (values.size() < 2) {
+  if (too_few()) {
     throw std::invalid_argument("a guess by values has two of them or more");
   }
   const double place = share * static_cast<double>(values.size() - 1);
@@ -64,8 +69,10 @@ class Checker {
  public:
   explicit Checker(const Statement& statement) : said_(statement) {}
 
-  void operator()(const Variable& variable, bool is_state) {
-    named(variable.name, is_state ? "a state" : "a control or a parameter");
+  /// \param kind  with its number, in words
+  void operator()(const Variable& variable, const std::string& kind,
+                  bool is_state) {
+    named(variable.name, kind);
     printable(variable.unit, "the unit of " + variable.name);
     range(variable.name, variable.lower, variable.upper);
     if (!(variable.scale >= 0.0) || std::isinf(variable.scale)) {
@@ -85,6 +92,9 @@ class Checker {
       }
     }
     if (!variable.guess.given()) return;
+    if (variable.guess.too_few()) {
+      refuse("the guess of {} has fewer than two values", variable.name);
+    }
     for (int i = 0; i <= 100; ++i) {
       if (!std::isfinite(variable.guess.at(0.01 * i))) {
         refuse("the guess of {} is not finite after {} % of the duration",
@@ -92,8 +102,8 @@ class Checker {
       }
     }
   }
-  void operator()(const Limit& limit) {
-    named(limit.name, "a limit or a condition of the ends");
+  void operator()(const Limit& limit, const std::string& kind) {
+    named(limit.name, kind);
     range(limit.name, limit.lower, limit.upper);
   }
   void range(const std::string& name, double lower, double upper) {
@@ -118,7 +128,7 @@ class Checker {
   }
 
  private:
-  void named(const std::string& name, const char* what) {
+  void named(const std::string& name, const std::string& what) {
     if (name.empty()) refuse("{} has no name", what);
     printable(name, "the name " + name);
     if (!names_.insert(name).second) refuse("two things are named {}", name);
@@ -134,13 +144,17 @@ void check(const Statement& statement) {
   Checker check(statement);
   check.printable(statement.name, "this name");
   check.printable(statement.time_unit, "the unit of time");
-  for (const Variable& state : statement.states) check(state, true);
-  for (const Variable& parameter : statement.parameters) {
-    check(parameter, false);
-  }
-  for (const Variable& control : statement.controls) check(control, false);
-  for (const Limit& limit : statement.limits) check(limit);
-  for (const Limit& condition : statement.end_conditions) check(condition);
+  const auto each = [&](const auto& group, const char* kind,
+                        const auto&... more) {
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      check(group[i], fmt::format("{} {}", kind, i + 1), more...);
+    }
+  };
+  each(statement.states, "state", true);
+  each(statement.parameters, "parameter", false);
+  each(statement.controls, "control", false);
+  each(statement.limits, "limit");
+  each(statement.end_conditions, "condition of the ends");
   const Duration& duration = statement.duration;
   check.range("the duration", duration.lower, duration.upper);
   if (!(duration.lower >= 0.0) || !(duration.upper > 0.0) ||

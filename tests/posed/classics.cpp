@@ -44,6 +44,25 @@ TEST(Posed, TheLeastTimeOfACartFindsItsSwitch) {
   EXPECT_NEAR(answer.junctions[0], 1.0 / std::sqrt(3.0), 1e-12);
 }
 
+struct CartInWind : Sizes<2, 2> {
+  template <class S>
+  [[nodiscard]] Rates<S> rates(const Point<S>& at) const {
+    return {S(1.0), {at.states[1], at.controls[0] + at.controls[1]}};
+  }
+};
+
+/// A wind of 1/2 that is given: pushed by 2 and braked by 1 in all.
+TEST(Posed, AFixedControlStandsBesideOneThatJumps) {
+  Statement statement = cart(1.5, 1.5);
+  statement.controls.push_back({.name = "wind", .lower = 0.5, .upper = 0.5});
+  const Problem problem(CartInWind{}, statement);
+
+  const Answer answer = expect_cost(problem, std::sqrt(3.0));
+
+  ASSERT_EQ(answer.junctions.size(), 1U);
+  EXPECT_NEAR(answer.junctions[0], 1.0 / std::sqrt(3.0), 1e-12);
+}
+
 TEST(Posed, EstimatesOfABangBangControlAreHonest) {
   const Problem problem(Cart{}, cart(1.0, 2.0));
   for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10}) {

@@ -10,6 +10,7 @@
 #include <initializer_list>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "brachisto/ocp.hpp"
 
@@ -75,6 +76,21 @@ TEST(PosedMistakes, AnEndOutsideOfItsBoundsIsNamed) {
 
   expect_says(refusal(kSquare, statement),
               {"the end of x, 1, is not between its bounds"});
+}
+
+TEST(PosedMistakes, WhatHasNoNameIsCounted) {
+  Statement statement = line();
+  statement.controls[0].name = "";
+
+  expect_says(refusal(kSquare, statement), {"control 1 has no name"});
+}
+
+TEST(PosedMistakes, AGuessByOneValueNamesItsVariable) {
+  Statement statement = line();
+  statement.controls[0].guess = std::vector{1.0};
+
+  expect_says(refusal(kSquare, statement),
+              {"the guess of u has fewer than two values"});
 }
 
 TEST(PosedMistakes, CrossedBoundsAreNamed) {
@@ -157,7 +173,7 @@ TEST(PosedMistakes, AFormulaWithoutADerivativeNamesItsPlace) {
   const Answer answer = Problem(Line(cost), line()).solve();
 
   EXPECT_FALSE(answer.verified());
-  expect_says(answer.why_not(), {"the cost's rate", "0.3", "smooth"});
+  expect_says(answer.why_not(), {"the cost's rate", "x = 0.3", "smooth"});
 }
 
 TEST(PosedMistakes, AFormulaThatIsNotFiniteAtTheStartIsNamed) {
@@ -231,6 +247,32 @@ TEST(PosedMistakes, AControlOnWhichNothingDependsIsNamed) {
 
   expect_says(refusal_of_solve(Idle{}, statement),
               {"nothing depends on w", "leave it out"});
+}
+
+/// A body that is pushed along a direction, which is an angle.
+struct Steered : Sizes<3, 2> {
+  template <class S>
+  [[nodiscard]] Rates<S> rates(const Point<S>& at) const {
+    const S& v = at.states[2];
+    const auto& [angle, push] = at.controls;
+    return {S(1.0), {v * cos(angle), v * sin(angle), push}};
+  }
+};
+
+/// At rest along the guess, where no angle matters: by a straight line of the
+/// length √2 in T = √(2 √2).
+TEST(PosedMistakes, AControlThatMattersOffTheGuessAloneIsNone) {
+  const Statement statement{
+      .name = "steered",
+      .states = {{.name = "x", .start = 0.0, .end = 1.0},
+                 {.name = "y", .start = 0.0, .end = 1.0},
+                 {.name = "v", .start = 0.0}},
+      .controls = {{.name = "angle", .lower = -1.5, .upper = 1.5},
+                   {.name = "push", .lower = -1.0, .upper = 1.0}}};
+  const Answer answer = Problem(Steered{}, statement).solve();
+
+  EXPECT_TRUE(answer.verified()) << answer.message << "; " << answer.why_not();
+  EXPECT_NEAR(answer.cost, std::sqrt(2.0 * std::sqrt(2.0)), 1e-9);
 }
 
 struct Limited : Sizes<1, 1> {

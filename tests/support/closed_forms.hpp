@@ -52,7 +52,7 @@ template <class S>
 /// cot(φ/2), at its ends, and a straight slide between them.
 template <class S>
 [[nodiscard]] S time_along_wall(const S& g) {
-  const S slope(0.5), offset(0.1), one(1.0), pi = Constants<S>::pi();
+  const S slope(0.5), one(1.0), offset = one / S(10.0), pi = Constants<S>::pi();
   const S phi = S(2.0) * atan(one / slope);
   const S x = phi - sin(phi), y = one - cos(phi);
   const S first = offset / (y - slope * x);

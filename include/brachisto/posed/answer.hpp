@@ -49,7 +49,7 @@ struct Place {
   std::vector<double> costates;
 };
 
-/// One pass of the refinement.
+/// One pass of the refinement, or one try with places of junctions as unknowns.
 struct Pass {
   int elements = 0, iterations = 0;
   double cost = 0.0;

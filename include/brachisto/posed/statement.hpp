@@ -42,7 +42,9 @@ class Guess {
       : is_(Function(std::move(function))) {}
 
   [[nodiscard]] bool given() const { return is_.index() != 0; }
-  /// \throws std::invalid_argument  for fewer than two values
+  /// By fewer than two values.
+  [[nodiscard]] bool too_few() const;
+  /// \throws std::invalid_argument  if there are too few values
   [[nodiscard]] double at(double share) const;
 
  private:

@@ -131,9 +131,9 @@ INSTANTIATE_TEST_SUITE_P(
                 "sensitivities has no value 3"},
         Spoiled{"certify",
                 [](SolveOptions& o) {
-                  o.use<Collocation>().certify = static_cast<Certify>(2);
+                  o.use<Collocation>().certify = static_cast<Certify>(3);
                 },
-                "certify has no value 2"},
+                "certify has no value 3"},
         Spoiled{"guess",
                 [](SolveOptions& o) {
                   o.use<Collocation>().guess = static_cast<Guess>(3);

@@ -104,4 +104,9 @@ struct ArcRoot {
                                       const std::vector<Real>& box,
                                       const Accuracy& accuracy);
 
+/// A part of a box in which a root is, with that root.
+[[nodiscard]] std::vector<Real> narrowed(const ArcSystem& system,
+                                         const std::vector<Real>& found,
+                                         const Accuracy& accuracy);
+
 }  // namespace brachisto::proof

@@ -54,7 +54,7 @@ class NodeConditions {
 ///   is reached already;
 /// - at B: its place, p_θ = p_w = 0, and of an arc whose control is held
 ///   p_β = 0 or what the contact asks for. Along a boundary one coordinate of B
-///   follows from the other.
+///   follows from the other, and from cos β > 0, which is shown.
 class ArcSystem {
  public:
   /// \throws NotProven  if the equations are not as many as the unknowns

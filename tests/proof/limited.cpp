@@ -112,6 +112,54 @@ TEST(Limited, ABeadLandsOnAFloorAlongACircle) {
   EXPECT_EQ(check(made)["theorems"], made["theorems"]);
 }
 
+// Two limits on one side: on a circle of curvature κ from β₀, R_n = cos β + 2 κ
+// z and κ z = cos β − cos β₀, so that the load N takes over at 3 cos β = N + 2
+// cos β₀.
+TEST(Limited, ALoadTakesOverFromACircle) {
+  Scene scene = bead();
+  scene.limits.curvature.valley = 0.75;
+  scene.limits.normal_max = 1.6875;
+  const Json made = prove(scene, accuracy_of(kBits));
+  const Bits bits(256);
+  ASSERT_EQ(made["arcs"].size(), 2);
+  EXPECT_EQ(made["arcs"][0]["holds"], "valley");
+  EXPECT_EQ(made["arcs"][1]["holds"], "normal_force");
+  EXPECT_FALSE(made["arcs"][1].contains("from_the_other_side"));
+  const Real start = enclosed(made, "start_angle");
+  const Real cosine = (Real(1.6875) + Real(2.0) * cos(start)) / Real(3.0);
+  const Real sine = sqrt(Real(1.0) - cosine * cosine);
+  const Real place = (sin(start) - sine) / Real(0.75);
+  const Real found = ball_of(made["junctions"][0]["x_per_H"]);
+  EXPECT_TRUE((place - found).has_zero());
+  EXPECT_LT(place.radius().upper() + found.radius().upper(), 1e-17);
+  for (const char* name : {"keeps_limits", "multipliers"}) {
+    EXPECT_TRUE(made["theorems"][name]["holds"].get<bool>()) << name;
+  }
+}
+
+// From one bend to the other at once; the less a hump may bend the slower.
+TEST(Limited, AHumpGoesOverIntoAValley) {
+  const auto prove_with = [](double bend) {
+    Scene scene = bead();
+    scene.body = Body::cylinder(1.0 / 3.0, 0.0, 0.0, 0.5);
+    scene.contact = Contact::Optimal;
+    scene.limits.curvature.hump = bend;
+    scene.limits.curvature.valley = 1.5;
+    return prove(scene, accuracy_of(160));
+  };
+  const Json made = prove_with(3.0);
+  const Json tighter = prove_with(2.5);
+  const Bits bits(256);
+  EXPECT_TRUE((enclosed(tighter, "tau") - enclosed(made, "tau")).positive());
+  EXPECT_EQ(made["arcs"][0]["holds"], "hump");
+  EXPECT_EQ(made["arcs"][1]["holds"], "valley");
+  EXPECT_TRUE(made["arcs"][1].value("from_the_other_side", false));
+  for (const auto& [name, said] : made["theorems"].items()) {
+    EXPECT_TRUE(said["holds"].get<bool>()) << name;
+  }
+  EXPECT_EQ(check(made)["theorems"], made["theorems"]);
+}
+
 /// The bead's scene with these arcs, found from those of the floor.
 struct OnFloor {
   NearChain near = approximate_chain(on_floor());

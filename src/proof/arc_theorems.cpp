@@ -9,6 +9,8 @@
 #include <functional>
 #include <string_view>
 
+#include "extremal/arc_boundary.hpp"
+
 namespace brachisto::proof {
 
 namespace {
@@ -88,8 +90,8 @@ void positive_within(const ShownArc& arc, const Accuracy& accuracy, Zeros zeros,
 
 /// How a limit's distance from a bound vanishes where its boundary begins or
 /// ends: like u², for the path touches it. Where a bend is held from rest on,
-/// that of the other bend is 0 at rest as well, like w; and
-/// where a path is left free at rest R_n is.
+/// that of the other bend is 0 at rest as well, like w. Where rest is left
+/// freely R_n is.
 Zeros touches(const ShownArc& arc, const PathInequality& limit, double bound) {
   using Kind = PathInequality::Kind;
   const bool bends = limit.kind == Kind::Hump || limit.kind == Kind::Valley;

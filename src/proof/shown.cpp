@@ -6,7 +6,6 @@
 #include <flint/flint.h>
 
 #include <optional>
-#include <utility>
 
 #include "brachisto/version.hpp"
 #include "proof/certificate.hpp"

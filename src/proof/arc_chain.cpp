@@ -135,6 +135,9 @@ NearChain under_limits(const Scene& scene) {
   if (!solution.verified() || answer == nullptr) {
     throw NotProven("no extremal under the limits: " + solution.message);
   }
+  if (answer->arcs.empty()) {
+    throw NotProven("the answer under the limits has no arcs");
+  }
   const LimitedCurve& curve = answer->motion.curve();
   const auto path =
       path_on_arcs(in_natural_units(scene), answer->arcs, answer->ends,

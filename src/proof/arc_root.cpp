@@ -295,20 +295,15 @@ void settle_rotation(const ArcSystem& system, std::vector<Real>& near) {
   }
 }
 
-std::vector<Real> middle_of(const std::vector<Real>& box) {
-  std::vector<Real> out;
-  for (const Real& each : box) out.push_back(each.middle());
-  return out;
-}
-
 ArcRoot krawczyk(const ArcSystem& system, const std::vector<Real>& box,
-                 const Matrix& inverse, const Accuracy& accuracy) {
+                 const Matrix& inverse, const Accuracy& accuracy,
+                 KrawczykOperator image = krawczyk_image) {
   const std::vector<Real> middle = middle_of(box);
   const ArcSystem::Value centre = system.evaluate(middle, accuracy, false);
   const ArcSystem::Value over = system.evaluate(box, accuracy, true);
   ArcRoot out;
   out.searched = box;
-  out.found = krawczyk_image(box, inverse, centre.missed, over.slopes);
+  out.found = image(box, inverse, centre.missed, over.slopes);
   out.steps = over.steps;
   // y(m) + y'(X) (x − m) for every x of the part found.
   for (std::size_t a = 0; a < centre.ends.size(); ++a) {
@@ -322,6 +317,14 @@ ArcRoot krawczyk(const ArcSystem& system, const std::vector<Real>& box,
       const std::size_t k = ArcChain::length(a);
       end[i] += over.rates[a][i] * (out.found[k] - middle[k]);
     }
+    if (!out.found[ArcChain::length(a)].positive()) {
+      throw TooFewBits("that an arc has a length is not shown");
+    }
+  }
+  // z of B follows from the floor below the body, not above it.
+  if (along_boundary(system.chain().arcs.back()) &&
+      !cos(out.ends.back()[kBeta]).positive()) {
+    throw NotProven("the path arrives at B upside down");
   }
   return out;
 }
@@ -354,6 +357,15 @@ ArcRoot verify_arc_root(const ArcSystem& system, const std::vector<Real>& box,
                         const Accuracy& accuracy) {
   const Bits bits(accuracy.bits);
   return krawczyk(system, box, rough_inverse(system, middle_of(box)), accuracy);
+}
+
+std::vector<Real> narrowed(const ArcSystem& system,
+                           const std::vector<Real>& found,
+                           const Accuracy& accuracy) {
+  const Bits bits(accuracy.bits);
+  return krawczyk(system, found, rough_inverse(system, middle_of(found)),
+                  accuracy, krawczyk_operator)
+      .found;
 }
 
 }  // namespace brachisto::proof

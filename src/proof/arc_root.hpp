@@ -54,7 +54,7 @@ class NodeConditions {
 ///   is reached already;
 /// - at B: its place, p_θ = p_w = 0, and of an arc whose control is held
 ///   p_β = 0 or what the contact asks for. Along a boundary one coordinate of B
-///   follows from the other.
+///   follows from the other, and from cos β > 0, which is shown.
 class ArcSystem {
  public:
   /// \throws NotProven  if the equations are not as many as the unknowns
@@ -103,5 +103,10 @@ struct ArcRoot {
 [[nodiscard]] ArcRoot verify_arc_root(const ArcSystem& system,
                                       const std::vector<Real>& box,
                                       const Accuracy& accuracy);
+
+/// A part of a box in which a root is, with that root.
+[[nodiscard]] std::vector<Real> narrowed(const ArcSystem& system,
+                                         const std::vector<Real>& found,
+                                         const Accuracy& accuracy);
 
 }  // namespace brachisto::proof

@@ -7,6 +7,9 @@
 
 #include <cmath>
 #include <functional>
+#include <string_view>
+
+#include "extremal/arc_boundary.hpp"
 
 namespace brachisto::proof {
 
@@ -19,6 +22,7 @@ struct ShownArc {
   std::size_t number;
   State start, end;
   Real length;
+  Real jump;  ///< of the costates in front of it, along the normal
 
   [[nodiscard]] const Held& held() const { return chain.arcs[number]; }
   [[nodiscard]] const Held* before() const {
@@ -27,9 +31,16 @@ struct ShownArc {
   [[nodiscard]] const Held* behind() const {
     return number + 1 < chain.arcs.size() ? &chain.arcs[number + 1] : nullptr;
   }
+  /// In messages; 0 of a single one.
+  [[nodiscard]] std::size_t told() const {
+    return chain.arcs.size() > 1 ? number + 1 : 0;
+  }
   [[nodiscard]] bool leaves_rest() const {
     return number == 0 && chain.scene.world.start_speed == 0.0;
   }
+  /// Whether R_n is 0 where it starts: where a free path leaves rest, and where
+  /// R_n is held there.
+  [[nodiscard]] bool weightless() const { return leaves_rest() && !held(); }
 };
 
 /// Whether a curvature is held from rest on: q is 0 there as w is.
@@ -50,7 +61,8 @@ struct Zeros {
 /// \param value  of a step, with how often u is divided out of it
 using Along = std::function<Real(const Step&, const Real& u, int drop)>;
 void positive_within(const ShownArc& arc, const Accuracy& accuracy, Zeros zeros,
-                     const Along& value, const char* what, Theorem& theorem) {
+                     const Along& value, std::string_view what,
+                     Theorem& theorem) {
   const Real half = (arc.length * Real(0x1p-1)).middle();
   for (const bool backward : {false, true}) {
     bool first = true;
@@ -68,7 +80,9 @@ void positive_within(const ShownArc& arc, const Accuracy& accuracy, Zeros zeros,
                   Real(0.0), backward ? -step.length : step.length,
                   [&](const Real& u) { return sign * value(step, u, drop); },
                   where);
-              theorem.meet(shown, what, step, where);
+              const double u = step.begin + std::fabs(where.near());
+              theorem.meet(shown, what, backward ? arc.length.near() - u : u,
+                           arc.told());
               first = false;
             });
   }
@@ -76,11 +90,15 @@ void positive_within(const ShownArc& arc, const Accuracy& accuracy, Zeros zeros,
 
 /// How a limit's distance from a bound vanishes where its boundary begins or
 /// ends: like u², for the path touches it. Where a bend is held from rest on,
-/// that of the other bend is 0 at rest as well, like w.
+/// that of the other bend is 0 at rest as well, like w. Where rest is left
+/// freely R_n is.
 Zeros touches(const ShownArc& arc, const PathInequality& limit, double bound) {
   using Kind = PathInequality::Kind;
   const bool bends = limit.kind == Kind::Hump || limit.kind == Kind::Valley;
   if (bends && bent_from_rest(arc)) return {1, 0};
+  if (limit.kind == Kind::NormalForce && bound == 0.0 && arc.weightless()) {
+    return {1, 0};
+  }
   const auto at = [&](const Held* other, std::size_t junction) {
     if (other == nullptr || !*other || (*other)->bound != bound ||
         !same_limit((*other)->limit, limit)) {
@@ -113,10 +131,9 @@ void keeps_limits(const ShownArc& arc, const Accuracy& accuracy,
       positive_within(
           arc, accuracy, touches(arc, limits[i], bound),
           [&](const Step& step, const Real& u, int drop) {
-            const Real found = step.value(node, u, drop);
-            return sign * (drop > 0 ? found : found - Real(bound));
+            return sign * step.value(node, u, drop, bound);
           },
-          what.c_str(), theorem);
+          what, theorem);
     }
   }
 }
@@ -141,12 +158,21 @@ Zeros zeros_of_costate(const ShownArc& arc) {
 
 void has_its_sign(const ShownArc& arc, const Accuracy& accuracy,
                   Theorem& theorem) {
-  if (!arc.held()) return;
+  if (!arc.held() || theorem.refuted) return;
   const Node multiplier = arc.equations.multiplier;
   // ≤ 0 at a lower bound.
   const Real sign(arc.held()->at_upper() ? 1.0 : -1.0);
   constexpr const char* kWhat = "that a multiplier has its sign";
   if (along_boundary(arc.held())) {
+    if (arc.chain.jumps(arc.number)) {
+      // The multiplier of c gathers in a point: p' = −h_y − μ n, p⁺ = p⁻ + J n.
+      const Real gathered = -sign * arc.jump;
+      theorem.meet(gathered.positive()      ? Sign::Positive
+                   : (-gathered).positive() ? Sign::Refuted
+                                            : Sign::Unknown,
+                   "that the jump of the costates has its sign", 0.0,
+                   arc.told());
+    }
     positive_within(
         arc, accuracy, {},
         [&](const Step& step, const Real& u, int) {
@@ -163,9 +189,8 @@ void has_its_sign(const ShownArc& arc, const Accuracy& accuracy,
       middle)[static_cast<std::size_t>(multiplier.id)];
   const Real side(middle[kPbeta].positive() ? 1.0 : -1.0);
   if (!(sign * mu).positive()) {
-    theorem.holds = false;
-    theorem.refuted = (-sign * mu).positive();
-    theorem.why_not = "a multiplier has the wrong sign, or none that is shown";
+    theorem.meet((-sign * mu).positive() ? Sign::Refuted : Sign::Unknown, kWhat,
+                 arc.length.near() / 2.0, arc.told());
     return;
   }
   positive_within(
@@ -190,13 +215,13 @@ void physics(const ShownArc& arc, const Accuracy& accuracy, ArcTheorems& out) {
   if (!along_bound(arc.held())) {
     check(out.legendre, "h_ββ > 0", {}, equations.legendre);
   }
-  // R_n is 0 where a free path leaves rest, and where it is held there.
-  const bool weightless = arc.leaves_rest() && !arc.held();
   if (arc.held() &&
       arc.held()->limit.kind == PathInequality::Kind::NormalForce) {
-    out.presses.holds = out.presses.holds && arc.held()->bound > 0.0;
+    out.presses.meet(arc.held()->bound > 0.0 ? Sign::Positive : Sign::Refuted,
+                     "R_n > 0", arc.length.near() / 2.0, arc.told());
   } else {
-    check(out.presses, "R_n > 0", {weightless ? 1 : 0, 0}, equations.normal);
+    check(out.presses, "R_n > 0", {arc.weightless() ? 1 : 0, 0},
+          equations.normal);
   }
   // Of a bead it is 1.
   const bool at_rest = arc.chain.scene.body.rolls() && bent_from_rest(arc);
@@ -219,12 +244,14 @@ State components(const Vector& found, std::size_t arc) {
 }
 
 ShownArc arc_of(const ArcSystem& system, const ArcRoot& root, std::size_t a) {
-  return {system.chain(),
-          system.plain(a),
-          a,
-          components(root.found, a),
-          root.ends[a],
-          root.found[ArcChain::length(a)]};
+  return {
+      system.chain(),
+      system.plain(a),
+      a,
+      components(root.found, a),
+      root.ends[a],
+      root.found[ArcChain::length(a)],
+      system.chain().jumps(a) ? root.found[system.chain().jump(a)] : Real(0.0)};
 }
 
 }  // namespace
@@ -235,19 +262,26 @@ void stays_on_its_side(const ArcSystem& system, const ArcRoot& root,
   const Scene own = in_own_units(system.chain().scene);
   if (!own.world.side) return;
   const Real sign(*own.world.side == FieldSide::Outside ? 1.0 : -1.0);
+  // Of all that start in the box: that one of them alone solves the equations
+  // is said of the field as it is.
   for (std::size_t a = 0; a < root.ends.size(); ++a) {
-    const ShownArc arc = arc_of(system, root, a);
-    Theorem stays{.holds = true};
-    positive_within(
-        arc, accuracy, {},
-        [&](const Step& step, const Real& u, int) {
-          return sign * step.value(arc.equations.height, u);
-        },
-        "", stays);
-    if (!stays.holds) {
-      throw NotProven(
-          "the path meets the surface of the field, where that has a kink");
-    }
+    const Equations& equations = system.plain(a);
+    State state = components(root.searched, a);
+    Integration flow(equations.tape, equations.rates, accuracy);
+    flow.go(state, root.searched[ArcChain::length(a)], false,
+            [&](const Step& step) {
+              Real where;
+              const Sign shown = sign_along(
+                  Real(0.0), step.length,
+                  [&](const Real& u) {
+                    return sign * step.value(equations.height, u);
+                  },
+                  where);
+              if (shown == Sign::Positive) return;
+              throw NotProven(
+                  "the path meets the surface of the field, where that has a "
+                  "kink");
+            });
   }
 }
 
@@ -275,22 +309,32 @@ FreeExtremal as_free(const ArcChain& chain, const ArcRoot& root) {
   return out;
 }
 
+Theorem prove_limits(const ArcSystem& system, const ArcRoot& root,
+                     const Accuracy& accuracy) {
+  const Bits bits(accuracy.bits);
+  Theorem out{.holds = true};
+  for (std::size_t a = 0; a < system.chain().arcs.size(); ++a) {
+    keeps_limits(arc_of(system, root, a), accuracy, out);
+  }
+  return out;
+}
+
 ArcTheorems prove_arc_theorems(const ArcSystem& system, const ArcRoot& root,
                                const Accuracy& accuracy) {
   const Bits bits(accuracy.bits);
   const ArcChain& chain = system.chain();
   ArcTheorems out;
-  for (Theorem* each : {&out.legendre, &out.keeps, &out.multipliers,
-                        &out.presses, &out.no_fold, &out.no_loop}) {
+  for (Theorem* each : {&out.legendre, &out.multipliers, &out.presses,
+                        &out.no_fold, &out.no_loop}) {
     each->holds = true;
   }
   out.enclosed = enclosures_of(chain, root);
   const Real H(chain.scene.H);
   const Real per_time = sqrt(Real(2.0) * Real(chain.scene.gravity) / H);
   Real time;
+  out.keeps = prove_limits(system, root, accuracy);
   for (std::size_t a = 0; a < chain.arcs.size(); ++a) {
     const ShownArc arc = arc_of(system, root, a);
-    keeps_limits(arc, accuracy, out.keeps);
     has_its_sign(arc, accuracy, out.multipliers);
     physics(arc, accuracy, out);
     time += arc.end[kTime];

@@ -28,7 +28,7 @@ struct ArcTheorems {
   std::vector<Junction> junctions;
   Theorem legendre;     ///< h_ββ > 0 on free arcs and along boundaries
   Theorem keeps;        ///< all limits, all along
-  Theorem multipliers;  ///< have their sign within each arc
+  Theorem multipliers;  ///< have their sign within each arc, and jumps theirs
   Theorem presses, no_fold, no_loop;
 };
 
@@ -38,7 +38,14 @@ struct ArcTheorems {
                                              const ArcRoot& root,
                                              const Accuracy& accuracy);
 
-/// Shows that the field has the law of one side of its surface all along.
+/// That all limits are kept, strictly where they do not hold.
+/// \param root  of which that it exists is shown
+/// \throws NotProven  if its motion cannot be enclosed
+[[nodiscard]] Theorem prove_limits(const ArcSystem& system, const ArcRoot& root,
+                                   const Accuracy& accuracy);
+
+/// Shows that the field has the law of one side of its surface all along every
+/// chain that starts in the box that was searched.
 /// \throws NotProven  if it has not
 void stays_on_its_side(const ArcSystem& system, const ArcRoot& root,
                        const Accuracy& accuracy);

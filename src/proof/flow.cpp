@@ -32,18 +32,39 @@ Real polynomial(arb_srcptr coefficients, int terms, const Real& u) {
   return out;
 }
 
-}  // namespace
-
-Real Step::value(std::size_t i, const Real& u, int drop) const {
-  const int terms = series_.terms() + 1;
-  return polynomial(series_.input(i) + drop, terms - drop, u)
-      .widened(rest(tails_.input(i), rho_, terms, u, drop));
+/// Refuses to divide out what does not vanish.
+void vanish(arb_srcptr coefficients, int count, double at_zero) {
+  for (int k = 0; k < count; ++k) {
+    Real left(k == 0 ? -at_zero : 0.0);
+    arb_add(left.get(), left.get(), coefficients + k, working_bits);
+    if (!left.has_zero()) {
+      throw NotProven("a function does not vanish at an end of its arc");
+    }
+  }
 }
 
-Real Step::value(const Node& node, const Real& u, int drop) const {
+/// With nothing divided out `at_zero` is taken off the value.
+Real less(const Real& value, int drop, double at_zero) {
+  return drop > 0 || at_zero == 0.0 ? value : value - Real(at_zero);
+}
+
+}  // namespace
+
+Real Step::value(std::size_t i, const Real& u, int drop, double at_zero) const {
+  vanish(series_.input(i), drop, at_zero);
+  const int terms = series_.terms() + 1;
+  return less(polynomial(series_.input(i) + drop, terms - drop, u)
+                  .widened(rest(tails_.input(i), rho_, terms, u, drop)),
+              drop, at_zero);
+}
+
+Real Step::value(const Node& node, const Real& u, int drop,
+                 double at_zero) const {
+  vanish(series_.of(node), drop, at_zero);
   const int terms = series_.terms();
-  return polynomial(series_.of(node) + drop, terms - drop, u)
-      .widened(rest(tails_.of(node), rho_, terms, u, drop));
+  return less(polynomial(series_.of(node) + drop, terms - drop, u)
+                  .widened(rest(tails_.of(node), rho_, terms, u, drop)),
+              drop, at_zero);
 }
 
 // Σ_{k ≥ N} k |c_k| |u|^{k−1}: for |u| ≤ ρ/2 and N > 1, k (|u|/ρ)^{k−1} does

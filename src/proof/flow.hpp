@@ -39,12 +39,16 @@ class Step {
       : series_(series), tails_(tails), rho_(rho) {}
 
   /// \param u  in [−ρ, ρ]
-  /// \param drop  j: (y_i(u) − c_0 − … − c_{j−1} u^{j−1})/u^j
-  [[nodiscard]] Real value(std::size_t i, const Real& u, int drop = 0) const;
+  /// \param drop  j: (y_i(u) − at_zero)/u^j, where c_0 − at_zero, c_1 … c_{j−1}
+  ///              are to vanish
+  /// \throws NotProven  if one of these does not
+  [[nodiscard]] Real value(std::size_t i, const Real& u, int drop = 0,
+                           double at_zero = 0.0) const;
   /// Of the first so many inputs.
   [[nodiscard]] State values(const Real& u, std::size_t count) const;
   /// Of a node.
-  [[nodiscard]] Real value(const Node& node, const Real& u, int drop = 0) const;
+  [[nodiscard]] Real value(const Node& node, const Real& u, int drop = 0,
+                           double at_zero = 0.0) const;
   /// Its derivative by u, |u| ≤ ρ/2.
   [[nodiscard]] Real rate(const Node& node, const Real& u) const;
 

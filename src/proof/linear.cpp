@@ -51,8 +51,14 @@ double largest(const Vector& of, const std::vector<double>& units) {
   return out;
 }
 
-Vector krawczyk_image(const Vector& box, const Matrix& inverse,
-                      const Vector& missed, const Matrix& slopes) {
+Vector middle_of(const Vector& box) {
+  Vector out;
+  for (const Real& each : box) out.push_back(each.middle());
+  return out;
+}
+
+Vector krawczyk_operator(const Vector& box, const Matrix& inverse,
+                         const Vector& missed, const Matrix& slopes) {
   const std::size_t size = box.size();
   const Vector step = product(inverse, missed);
   Vector out(size);
@@ -67,6 +73,14 @@ Vector krawczyk_image(const Vector& box, const Matrix& inverse,
       rest += contracts * (box[k] - box[k].middle());
     }
     out[i] = box[i].middle() - step[i] + rest;
+  }
+  return out;
+}
+
+Vector krawczyk_image(const Vector& box, const Matrix& inverse,
+                      const Vector& missed, const Matrix& slopes) {
+  Vector out = krawczyk_operator(box, inverse, missed, slopes);
+  for (std::size_t i = 0; i < box.size(); ++i) {
     if (!out[i].finite() || !out[i].inside(box[i])) {
       throw TooFewBits(
           "Krawczyk's operator does not map the box into itself: it holds no "

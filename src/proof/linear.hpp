@@ -29,6 +29,8 @@ using Matrix = std::vector<Vector>;
 [[nodiscard]] double largest(const Vector& of,
                              const std::vector<double>& units);
 
+[[nodiscard]] Vector middle_of(const Vector& box);
+
 /// Krawczyk's operator on a box X about m:
 ///
 ///     K = m − C F(m) + (1 − C F'(X)) (X − m),
@@ -36,9 +38,18 @@ using Matrix = std::vector<Vector>;
 /// \param inverse  C, any matrix
 /// \param missed   encloses F(m)
 /// \param slopes   enclose F'(X)
+/// \return K, which holds every root that X holds
+[[nodiscard]] Vector krawczyk_operator(const Vector& box, const Matrix& inverse,
+                                       const Vector& missed,
+                                       const Matrix& slopes);
+
+/// The same.
 /// \return K, which lies in the interior of X: then it holds exactly one root
 /// \throws TooFewBits  if it does not
 [[nodiscard]] Vector krawczyk_image(const Vector& box, const Matrix& inverse,
+                                    const Vector& missed, const Matrix& slopes);
+
+using KrawczykOperator = Vector (*)(const Vector& box, const Matrix& inverse,
                                     const Vector& missed, const Matrix& slopes);
 
 /// Newton's method with one inverse, to the digits of half the bits.

@@ -85,14 +85,14 @@ Matrix rough_inverse(const Scene& scene, const Ends& ends, const Unknowns& at) {
 }
 
 Root krawczyk(const Scene& scene, const Unknowns& box, const Matrix& inverse,
-              const Accuracy& accuracy) {
+              const Accuracy& accuracy,
+              KrawczykOperator image = krawczyk_image) {
   const Ends ends(scene);
-  Unknowns middle;
-  for (const Real& each : box) middle.push_back(each.middle());
+  const Unknowns middle = middle_of(box);
   const Shot centre = shoot(scene, ends, middle, accuracy, false);
   const Shot over = shoot(scene, ends, box, accuracy, true);
-  Root out{box, krawczyk_image(box, inverse, centre.missed, over.slopes),
-           centre.end, over.steps};
+  Root out{box, image(box, inverse, centre.missed, over.slopes), centre.end,
+           over.steps};
   // y(m) + y'(X) (x − m) for every x of the part found.
   for (std::size_t j = 0; j < kUnknowns; ++j) {
     const Real off = out.found[j] - middle[j];
@@ -101,6 +101,9 @@ Root krawczyk(const Scene& scene, const Unknowns& box, const Matrix& inverse,
           j + 1 < kUnknowns ? over.end[Equations::place(i, j)] : over.rates[i];
       out.end[i] += slope * off;
     }
+  }
+  if (!out.found.back().positive()) {
+    throw TooFewBits("that the arc has a length is not shown");
   }
   return out;
 }
@@ -211,11 +214,19 @@ Root find_root(const Scene& scene, const Unknowns& near,
 Root verify_root(const Scene& scene, const Unknowns& box,
                  const Accuracy& accuracy) {
   const Bits bits(accuracy.bits);
-  Unknowns middle;
-  for (const Real& each : box) middle.push_back(each.middle());
+  const Unknowns middle = middle_of(box);
   const Ends ends(scene);
   const Matrix inverse = rough_inverse(scene, ends, middle);
   return krawczyk(scene, box, inverse, accuracy);
+}
+
+Unknowns narrowed(const Scene& scene, const Unknowns& found,
+                  const Accuracy& accuracy) {
+  const Bits bits(accuracy.bits);
+  const Ends ends(scene);
+  return krawczyk(scene, found, rough_inverse(scene, ends, middle_of(found)),
+                  accuracy, krawczyk_operator)
+      .found;
 }
 
 }  // namespace brachisto::proof

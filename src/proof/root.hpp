@@ -73,4 +73,8 @@ struct Root {
 [[nodiscard]] Root verify_root(const Scene& scene, const Unknowns& box,
                                const Accuracy& accuracy);
 
+/// A part of a box in which a root is, with that root.
+[[nodiscard]] Unknowns narrowed(const Scene& scene, const Unknowns& found,
+                                const Accuracy& accuracy);
+
 }  // namespace brachisto::proof

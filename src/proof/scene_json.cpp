@@ -21,38 +21,41 @@ constexpr std::array<std::pair<Contact, const char*>, 4> kContacts{
      {Contact::Optimal, "optimal"},
      {Contact::EndSlope, "end_slope"}}};
 
+using Number = std::optional<double>;
+Number& friction(PathLimits& limits) {
+  return limits.friction;
+}
+Number& least_normal_force(PathLimits& limits) {
+  return limits.normal_min;
+}
+Number& largest_normal_force(PathLimits& limits) {
+  return limits.normal_max;
+}
+Number& hump(PathLimits& limits) {
+  return limits.curvature.hump;
+}
+Number& valley(PathLimits& limits) {
+  return limits.curvature.valley;
+}
+Number& fold_margin(PathLimits& limits) {
+  return limits.fold_margin;
+}
+Number& lowest_place(PathLimits& limits) {
+  return limits.floor;
+}
+
 /// The numbers that a scene may have as a limit.
 struct Bound {
   const char* key;
-  std::optional<double>& (*in)(PathLimits&);
+  Number& (*in)(PathLimits&);
 };
-constexpr std::array kBounds{
-    Bound{"friction", [](PathLimits& l) -> auto& {return l.friction;
-}  // namespace
-}  // namespace brachisto::proof
-, Bound{"normal_force.min", [](PathLimits& l) -> auto& {return l.normal_min;
-}
-}
-, Bound{"normal_force.max", [](PathLimits& l) -> auto& {return l.normal_max;
-}
-}
-, Bound{"curvature.hump", [](PathLimits& l) -> auto& {return l.curvature.hump;
-}
-}
-, Bound{"curvature.valley",
-        [](PathLimits& l) -> auto& {return l.curvature.valley;
-}
-}
-, Bound{"fold_margin", [](PathLimits& l) -> auto& {return l.fold_margin;
-}
-}
-, Bound {
-  "floor", [](PathLimits & l) -> auto& {
-    return l.floor;
-  }
-}
-}
-;
+constexpr std::array kBounds{Bound{"friction", friction},
+                             Bound{"normal_force.min", least_normal_force},
+                             Bound{"normal_force.max", largest_normal_force},
+                             Bound{"curvature.hump", hump},
+                             Bound{"curvature.valley", valley},
+                             Bound{"fold_margin", fold_margin},
+                             Bound{"floor", lowest_place}};
 
 Json limits_json(PathLimits limits) {
   Json out = Json::object();

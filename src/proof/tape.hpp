@@ -59,7 +59,7 @@ struct Node {
   Node& operator+=(const Node& b) { return *this = *this + b; }
   Node& operator-=(const Node& b) { return *this = *this - b; }
 
-  // What only losses and spheres ask for, of which nothing is proven.
+  // What losses in proportion to the load ask for, of which nothing is proven.
   friend Node exp(const Node&) { return refuse(); }
   friend Node log(const Node&) { return refuse(); }
   friend Node atan(const Node&) { return refuse(); }

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -99,16 +98,18 @@ Real determinant(const Column4& a, const Column4& b, const Column4& c,
 
 }  // namespace
 
-void Theorem::meet(Sign sign, const char* what, const Step& step,
-                   const Real& u) {
+void Theorem::meet(Sign sign, std::string_view what, double u,
+                   std::size_t arc) {
   if (sign == Sign::Positive || refuted) return;
+  const std::string where =
+      fmt::format("near u = {:.4f}", u) +
+      (arc > 0 ? fmt::format(" of arc {}", arc) : std::string());
   if (sign == Sign::Refuted) {
     refuted = true;
-    why_not = fmt::format("{} is false near u = {:.4f}", what,
-                          step.begin + std::fabs(u.near()));
+    why_not = fmt::format("{} is false {}", what, where);
   } else if (holds) {
-    why_not = fmt::format("{} is not shown near u = {:.4f}: more bits may help",
-                          what, step.begin);
+    why_not =
+        fmt::format("{} is not shown {}: more bits may help", what, where);
   }
   holds = false;
 }
@@ -164,7 +165,8 @@ Theorem no_conjugate_point(const Scene& scene, const State& end,
     const Sign shown = sign_along(
         Real(0.0), -step.length,
         [&](const Real& u) { return own * jacobian(u); }, where);
-    out.meet(shown, "that no point is conjugate to the end", step, where);
+    out.meet(shown, "that no point is conjugate to the end",
+             length.near() - step.begin + where.near());
     first = false;
   };
   try {
@@ -214,7 +216,7 @@ Theorems prove_theorems(const Scene& scene, const FreeExtremal& extremal,
                           const auto& value) {
       Real where;
       const Sign sign = sign_along(Real(0.0), step.length, value, where);
-      theorem.meet(sign, what, step, where);
+      theorem.meet(sign, what, step.begin + where.near());
     };
     const auto along = [&](const Node& node, int drop = 0) {
       return [&step, node, drop](const Real& u) {

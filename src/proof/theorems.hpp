@@ -7,6 +7,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "proof/root.hpp"
@@ -22,8 +23,9 @@ struct Theorem {
 
   /// What is shown of one more step of its way.
   /// \param what  "R_n > 0"
-  /// \param u     where it is refuted
-  void meet(Sign sign, const char* what, const Step& step, const Real& u);
+  /// \param u     where, from the start of its arc
+  /// \param arc   its number from 1; 0 of a single one
+  void meet(Sign sign, std::string_view what, double u, std::size_t arc = 0);
 };
 
 /// Numbers of the extremal, enclosed: without dimension and in radians.

@@ -85,15 +85,15 @@ std::string in_words(const Json& certificate) {
   const auto between = [&](const char* name, const char* symbol) {
     return fmt::format("  {} in {}\n", symbol, ends_of(e.at(name)));
   };
-  std::string out =
+  const std::string arcs = arcs_of(certificate);
+  std::string out = fmt::format(
       "Theorem. Of the scene, its numbers of 64 bits taken as exact, exactly "
-      "one\nextremal lies in the box of the certificate, and of it\n";
+      "one\n{} lies in the box of the certificate, and of it\n",
+      arcs.empty() ? "extremal" : "chain of these arcs");
   out += between("tau", "τ");
   out += between("end_angle", "φ");
   out += between("length_per_H", "S/H");
-  if (const std::string arcs = arcs_of(certificate); !arcs.empty()) {
-    out += fmt::format("  arcs: {}\n", arcs);
-  }
+  if (!arcs.empty()) out += fmt::format("  arcs: {}\n", arcs);
   for (const Json& each : certificate.value("junctions", Json::array())) {
     out +=
         fmt::format("  a junction at x/H in {}\n", ends_of(each.at("x_per_H")));
@@ -155,8 +155,10 @@ std::string page(const Json& certificate) {
   out += plain
              ? "\nexactly one solution of Hamilton's equations ends in B with "
                "p_θ = p_w = 0. Of it\n\n"
-             : "\nexactly one satisfies the conditions at A, at B and where "
-               "arcs meet (docs/proofs.md lists them). Of it\n\n";
+             : fmt::format(
+                   "\nexactly one {} satisfies the conditions at A, at B and "
+                   "where arcs meet (docs/proofs.md lists them). Of it\n\n",
+                   arcs.empty() ? "extremal" : "chain of these arcs");
   for (const auto& [name, enclosure] : certificate.at("enclosures").items()) {
     out += fmt::format("    {} in {}\n", name, ends_of(enclosure));
   }

@@ -128,6 +128,46 @@ TEST(Certificate, IsRefusedWhenForgedThoughItsDigestFits) {
             std::string::npos);
 }
 
+// Nothing stands in a file beside what is shown again, and nothing is missing.
+TEST(Certificate, IsRefusedWhenItSaysMoreOrLess) {
+  const auto refused = [](const auto& edit) {
+    return !refusal_of_forged(edit).empty();
+  };
+  EXPECT_FALSE(refused([](Json&) {}));
+  EXPECT_TRUE(refused([](Json& c) { c["arcs"] = Json::array(); }));
+  EXPECT_TRUE(refused([](Json& c) { c["remark"] = "the best of all"; }));
+  EXPECT_TRUE(refused([](Json& c) { c.erase("least_friction"); }));
+  EXPECT_TRUE(refused(
+      [](Json& c) { c["enclosures"]["energy"] = c["enclosures"]["tau"]; }));
+  EXPECT_TRUE(refused([](Json& c) { c["enclosures"]["tau"]["about"] = "4"; }));
+  EXPECT_TRUE(refused([](Json& c) { c["theorems"]["fastest"] = {}; }));
+  EXPECT_TRUE(refused([](Json& c) {
+    c["theorems"]["fastest"] = {{"why_not", "it is"}};
+  }));
+  EXPECT_TRUE(refused(
+      [](Json& c) { c["theorems"]["no_fold"]["why_not"] = "it does"; }));
+  EXPECT_TRUE(
+      refused([](Json& c) { c["theorems"]["no_fold"]["always"] = true; }));
+  EXPECT_TRUE(refused([](Json& c) { c["accuracy"]["steps"] = "few"; }));
+  EXPECT_TRUE(refused([](Json& c) { c["accuracy"]["terms"] = 3; }));
+  EXPECT_TRUE(refused([](Json& c) {
+    Json renamed;
+    for (const auto& [name, said] : c["unknowns"].items()) {
+      renamed[name == "p_x" ? "p_y" : name] = said;
+    }
+    c["unknowns"] = renamed;
+  }));
+}
+
+// The part of the box that is said to hold the root has to hold it.
+TEST(Certificate, IsRefusedWhenItsRootIsAPointBesideIt) {
+  EXPECT_NE(refusal_of_forged([](Json& c) {
+              Json& said = c["unknowns"]["p_x"]["found"];
+              said = ball(said).middle().exact();
+            }).find("root"),
+            std::string::npos);
+}
+
 Unknowns box_of(const Json& made) {
   Unknowns out;
   for (const auto& [name, said] : made["unknowns"].items()) {

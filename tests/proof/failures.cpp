@@ -134,6 +134,10 @@ TEST(MustFail, ForcesAndFoldsOfAnInfeasibleTrack) {
     EXPECT_TRUE(made["theorems"][name].contains("refuted")) << name;
   }
   EXPECT_NO_THROW((void)check(made));
+  Json forged = made;
+  forged["theorems"]["no_fold"]["why_not"] = "that anybody cares is false";
+  forged["digest"] = digest(forged);
+  EXPECT_THROW((void)check(forged), Refused);
 }
 
 struct Cycloid {

@@ -52,6 +52,26 @@ TEST(TaylorSeries, OfARootIsTheSine) {
   }
 }
 
+// Of y = 1 + u nothing can be divided by u, and of y − 1 once.
+TEST(Step, DividesOutOnlyWhatVanishes) {
+  Tape tape;
+  std::vector<Node> rates;
+  {
+    const Tape::Recording recording(tape);
+    rates = {tape.input(0) * Node(0.0) + Node(1.0)};
+  }
+  Integration flow(tape, rates, {});
+  State state{Real(1.0)};
+  flow.go(state, Real(0.5), false, [](const Step& step) {
+    if (step.begin > 0.0) return;
+    const Real u(0x1p-4);
+    EXPECT_THROW((void)step.value(0, u, 1), NotProven);
+    EXPECT_TRUE(Real(1.0).within(step.value(0, u, 1, 1.0)));
+    EXPECT_THROW((void)step.value(0, u, 2, 1.0), NotProven);
+    EXPECT_TRUE(u.within(step.value(0, u, 0, 1.0)));
+  });
+}
+
 // y' = cos² y is arctan, 1/(1 + u²) its rate.
 TEST(TaylorSeries, OfSinesIsTheArcTangent) {
   constexpr int kTerms = 21;

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <string>
 
 #include "proof/arc_theorems.hpp"
@@ -70,6 +71,95 @@ TEST(Limited, ALoadIsHeldOnAnArc) {
   }
 }
 
+// A limit that does not hold anywhere changes nothing: R_n, which is 0 at rest,
+// is positive behind it.
+TEST(Limited, AFreePathKeepsALoadAboveNothing) {
+  Scene scene = bead();
+  const Json free = prove(scene, accuracy_of(kBits));
+  scene.limits.normal_min = 0.0;
+  const Json made = prove(scene, accuracy_of(kBits));
+  const Bits bits(256);
+  EXPECT_TRUE((enclosed(made, "tau") - enclosed(free, "tau")).has_zero());
+  for (const char* name : {"keeps_limits", "strong_minimum"}) {
+    EXPECT_TRUE(made["theorems"][name]["holds"].get<bool>()) << name;
+  }
+  EXPECT_EQ(check(made)["theorems"], made["theorems"]);
+}
+
+/// No valley is rounder than a circle of 2 m.
+Scene on_a_circle_and_a_floor() {
+  Scene scene = on_floor();
+  scene.limits.curvature.valley = 0.5;
+  return scene;
+}
+
+// The circle through A that touches the floor does so at x = √3 m; from there
+// the bead goes at √(2 g H).
+TEST(Limited, ABeadLandsOnAFloorAlongACircle) {
+  const Json made = prove(on_a_circle_and_a_floor(), accuracy_of(kBits));
+  const Bits bits(256);
+  const Real place = sqrt(Real(3.0));
+  ASSERT_EQ(made["junctions"].size(), 1);
+  const Json& landing = made["junctions"][0];
+  EXPECT_TRUE(place.within(ball_of(landing["x_per_H"])));
+  EXPECT_TRUE(
+      (ball_of(landing["time"]) + Real(3.0) - place - enclosed(made, "tau"))
+          .has_zero());
+  EXPECT_EQ(made["arcs"][0]["holds"], "valley");
+  for (const auto& [name, said] : made["theorems"].items()) {
+    EXPECT_TRUE(said["holds"].get<bool>()) << name;
+  }
+  EXPECT_EQ(check(made)["theorems"], made["theorems"]);
+}
+
+// Two limits on one side: on a circle of curvature κ from β₀, R_n = cos β + 2 κ
+// z and κ z = cos β − cos β₀, so that the load N takes over at 3 cos β = N + 2
+// cos β₀.
+TEST(Limited, ALoadTakesOverFromACircle) {
+  Scene scene = bead();
+  scene.limits.curvature.valley = 0.75;
+  scene.limits.normal_max = 1.6875;
+  const Json made = prove(scene, accuracy_of(kBits));
+  const Bits bits(256);
+  ASSERT_EQ(made["arcs"].size(), 2);
+  EXPECT_EQ(made["arcs"][0]["holds"], "valley");
+  EXPECT_EQ(made["arcs"][1]["holds"], "normal_force");
+  EXPECT_FALSE(made["arcs"][1].contains("from_the_other_side"));
+  const Real start = enclosed(made, "start_angle");
+  const Real cosine = (Real(1.6875) + Real(2.0) * cos(start)) / Real(3.0);
+  const Real sine = sqrt(Real(1.0) - cosine * cosine);
+  const Real place = (sin(start) - sine) / Real(0.75);
+  const Real found = ball_of(made["junctions"][0]["x_per_H"]);
+  EXPECT_TRUE((place - found).has_zero());
+  EXPECT_LT(place.radius().upper() + found.radius().upper(), 1e-17);
+  for (const char* name : {"keeps_limits", "multipliers"}) {
+    EXPECT_TRUE(made["theorems"][name]["holds"].get<bool>()) << name;
+  }
+}
+
+// From one bend to the other at once; the less a hump may bend the slower.
+TEST(Limited, AHumpGoesOverIntoAValley) {
+  const auto prove_with = [](double bend) {
+    Scene scene = bead();
+    scene.body = Body::cylinder(1.0 / 3.0, 0.0, 0.0, 0.5);
+    scene.contact = Contact::Optimal;
+    scene.limits.curvature.hump = bend;
+    scene.limits.curvature.valley = 1.5;
+    return prove(scene, accuracy_of(160));
+  };
+  const Json made = prove_with(3.0);
+  const Json tighter = prove_with(2.5);
+  const Bits bits(256);
+  EXPECT_TRUE((enclosed(tighter, "tau") - enclosed(made, "tau")).positive());
+  EXPECT_EQ(made["arcs"][0]["holds"], "hump");
+  EXPECT_EQ(made["arcs"][1]["holds"], "valley");
+  EXPECT_TRUE(made["arcs"][1].value("from_the_other_side", false));
+  for (const auto& [name, said] : made["theorems"].items()) {
+    EXPECT_TRUE(said["holds"].get<bool>()) << name;
+  }
+  EXPECT_EQ(check(made)["theorems"], made["theorems"]);
+}
+
 /// The bead's scene with these arcs, found from those of the floor.
 struct OnFloor {
   NearChain near = approximate_chain(on_floor());
@@ -123,6 +213,79 @@ TEST(MustFail, ABoundFromTheWrongSide) {
       prove_arc_theorems(ArcSystem(roof), found.root, accuracy_of(kBits));
   EXPECT_FALSE(shown.multipliers.holds);
   EXPECT_TRUE(shown.multipliers.refuted);
+}
+
+// Costates jump into the allowed side: of another jump, and of the same one at
+// a roof, it is shown that the sign is wrong.
+TEST(MustFail, AJumpToTheWrongSide) {
+  const NearChain near = approximate_chain(on_a_circle_and_a_floor());
+  const ArcSystem system(near.chain);
+  const ArcRoot root = find_arc_root(system, near.unknowns, accuracy_of(kBits));
+  const auto why_not = [](const ArcSystem& of, const ArcRoot& at) {
+    const Theorem shown =
+        prove_arc_theorems(of, at, accuracy_of(kBits)).multipliers;
+    EXPECT_EQ(shown.holds, !shown.refuted);
+    return shown.why_not;
+  };
+  EXPECT_EQ(why_not(system, root), "");
+  ArcRoot other = root;
+  Real& jump = other.found[near.chain.jump(1)];
+  EXPECT_TRUE(jump.positive());
+  jump = -jump;
+  EXPECT_NE(why_not(system, other).find("jump"), std::string::npos);
+  ArcChain roof = near.chain;
+  PathInequality& limit = roof.arcs[1]->limit;
+  limit.lower = -std::numeric_limits<double>::infinity();
+  limit.upper = 0.0;
+  EXPECT_NE(why_not(ArcSystem(roof), root).find("jump"), std::string::npos);
+}
+
+/// A certificate of a free path to which a floor is added that it breaks.
+Json with_a_floor_in_its_way() {
+  Scene scene = bead();
+  scene.world.start_speed = 1e-3;
+  Json made = prove(scene, accuracy_of(kBits));
+  made["scene"]["limits"]["floor"] = hex(1.0625);
+  return made;
+}
+
+// That it exists is shown; that it keeps the floor, or is a minimum, is not.
+TEST(MustFail, AFreeMinimumUnderAFloorThatIsForged) {
+  static const Json free = with_a_floor_in_its_way();
+  const auto refusal = [](const auto& edit) -> std::string {
+    Json forged = free;
+    edit(forged["theorems"]);
+    forged["digest"] = digest(forged);
+    try {
+      const Json again = check(forged)["theorems"];
+      EXPECT_FALSE(again["keeps_limits"]["holds"].get<bool>());
+      EXPECT_TRUE(again["keeps_limits"].contains("refuted"));
+    } catch (const Refused& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const auto without_minimum = [](Json& theorems) {
+    for (const char* name : {"strict_minimum", "strong_minimum"}) {
+      theorems[name]["holds"] = false;
+    }
+  };
+  EXPECT_NE(refusal([](Json&) {}), "");
+  EXPECT_NE(refusal(without_minimum), "");
+  EXPECT_NE(refusal([](Json& t) {
+              t["keeps_limits"] = {{"holds", true}};
+            }),
+            "");
+  const Json open = {{"holds", false}, {"why_not", "it is left open"}};
+  EXPECT_NE(refusal([&](Json& t) {
+              t["keeps_limits"] = open;
+            }).find("strict_minimum"),
+            std::string::npos);
+  EXPECT_EQ(refusal([&](Json& t) {
+              without_minimum(t);
+              t["keeps_limits"] = open;
+            }),
+            "");
 }
 
 TEST(MustFail, ForgedArcs) {

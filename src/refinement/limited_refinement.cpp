@@ -50,8 +50,7 @@ class LimitedSolve {
     refine(find_arcs());
     if (!answer_ && !stopped() && protocol_.status != Status::NoFastestTrack) {
       if (!tried_mesh_) refine(from_mesh());
-      if (!answer_ && !mesh_) come_from_looser();
-      if (!answer_ && mesh_) take_mesh();
+      if (!answer_) mesh_ ? take_mesh() : come_from_looser();
     }
     return finished();
   }
@@ -237,8 +236,7 @@ class LimitedSolve {
     [[nodiscard]] bool arrived() const { return path && share == 1.0; }
   };
 
-  /// With arcs known and corrected all along the way, where contacts are closed
-  /// at every step.
+  /// With arcs corrected and contacts closed at every step.
   [[nodiscard]] Followed follow(
       std::optional<FittedPath> path,
       const std::function<Stage(double share)>& stage_at, Steps steps) {

@@ -3,9 +3,8 @@
 
 #include "proof/scene_json.hpp"
 
-#include <fmt/format.h>
-
 #include <array>
+#include <cstdio>
 #include <optional>
 #include <utility>
 
@@ -120,7 +119,10 @@ World world_from(const Json& said) {
 }  // namespace
 
 std::string hex(double number) {
-  return fmt::format("{:a}", number);
+  // Not by fmt, whose versions write 0 in different ways.
+  std::array<char, 32> out{};
+  const int size = std::snprintf(out.data(), out.size(), "%a", number);
+  return {out.data(), static_cast<std::size_t>(size)};
 }
 
 double number(const Json& object, const char* key) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "proof/certificate.hpp"
+#include "proof/scene_json.hpp"
 
 #include <gtest/gtest.h>
 
@@ -179,6 +180,12 @@ Unknowns box_of(const Json& made) {
 
 // A box beside the root, a scene whose end is an ulp away, and one that is too
 // wide: Krawczyk's operator maps none of them into itself.
+// As C's %a has them: fmt 10 writes 0 as 0x0p-1022, fmt 9 as here.
+TEST(Certificate, WritesNumbersAlikeOnEverySystem) {
+  EXPECT_EQ(hex(0.0), "0x0p+0");
+  EXPECT_EQ(hex(1.5), "0x1.8p+0");
+}
+
 TEST(Krawczyk, RefusesABoxWithoutTheRoot) {
   const Accuracy accuracy = accuracy_of(128);
   const Unknowns box = box_of(certificate());

@@ -196,6 +196,13 @@ def friction(row):
     return "–"
 
 
+def cost(row):
+    """What `solve` errs by, and what the proof took."""
+    sign = "≤" if row["within_estimate"] else ">"
+    return [f"{small(row['off'])} {sign} {small(row['estimated'])}",
+            f"{row['bits']}, {row['seconds']:.1f} s, {row['check_seconds']:.1f} s"]
+
+
 def other_markdown(record):
     """Of scenes without references, in whose theorems minima may not be asked for."""
     lines = []
@@ -207,10 +214,7 @@ def other_markdown(record):
                                  "multipliers", "legendre") if key in row["holds"]]
         lines.append([
             name, ", ".join(row["arcs"]), f"[{minus(row['tau'][0])}, {minus(row['tau'][1])}]",
-            small(row["width"]), said(row, asked), said(row, PHYSICS),
-            f"{small(row['off'])} ≤ {small(row['estimated'])}" if row["within_estimate"]
-            else f"{small(row['off'])} > {small(row['estimated'])}",
-            f"{row['bits']}, {row['seconds']:.1f} s, {row['check_seconds']:.1f} s"])
+            small(row["width"]), said(row, asked), said(row, PHYSICS), *cost(row)])
     return table(["scene", "arcs", "τ", "width", "minimum, or limits and multipliers", "physics",
                   "`solve` against its estimate", "bits, proof, check"], lines)
 
@@ -226,10 +230,7 @@ def markdown(record):
             name, f"[{minus(row['tau'][0])}, {minus(row['tau'][1])}]", small(row["width"]),
             said(row, ["exists_once_in_box"]), said(row, ["strict_minimum", "strong_minimum"]),
             said(row, PHYSICS), friction(row),
-            "–" if reference is None else small(reference),
-            f"{small(row['off'])} ≤ {small(row['estimated'])}" if row["within_estimate"]
-            else f"{small(row['off'])} > {small(row['estimated'])}",
-            f"{row['bits']}, {row['seconds']:.1f} s, {row['check_seconds']:.1f} s"])
+            "–" if reference is None else small(reference), *cost(row)])
     return table(["row", "τ", "width", "exists once", "strict and strong minimum",
                   "physics", "least μ from 5 % of T on", "reference", "`solve` against its estimate", "bits, proof, check"], lines)
 

@@ -19,7 +19,7 @@
 #include "io/input_tree.hpp"
 #include "math/cpu_clock.hpp"
 #include "proof/certificate.hpp"
-#include "report/result_field.hpp"
+#include "report/text_table.hpp"
 
 namespace brachisto::app {
 
@@ -55,7 +55,7 @@ std::string in_words_compared(const proof::Json& compared) {
       "  The result's τ = {:.15g} is off by at most {}: {} its estimated "
       "error, {:.1e}\n",
       compared.at("tau").get<double>(),
-      report::at_most_in_words(compared.at("off_at_most").get<double>()),
+      report::at_most(compared.at("off_at_most").get<double>()),
       compared.at("within_estimate").get<bool>() ? "within" : "more than",
       compared.at("estimated_error_of_tau").get<double>());
 }

@@ -39,15 +39,13 @@ int hand_over() {
   const fs::path here = fs::read_symlink("/proc/self/exe", error).parent_path();
   const fs::path installed =
       (here / BRACHISTO_PROVER_FROM_BINARY).lexically_normal();
-  for (const fs::path& place : {installed, here / "brachisto-prove"}) {
-    if (error) break;  // it is not known where this program stands
-    ::execv(place.c_str(), arguments.data());
-    if (place == installed) error.assign(errno, std::generic_category());
-    if (error == std::errc::no_such_file_or_directory && place == installed) {
-      error.clear();  // in a build it stands beside this one
+  if (!error) {  // it is known where this program stands
+    ::execv(installed.c_str(), arguments.data());
+    error.assign(errno, std::generic_category());
+    if (error == std::errc::no_such_file_or_directory) {
+      ::execv((here / "brachisto-prove").c_str(), arguments.data());
     }
   }
-  if (!error) error.assign(errno, std::generic_category());
   tell_error(fmt::format("brachisto: no proofs: {} cannot be run ({})\n",
                          installed.string(), error.message()));
   return kIoError;
@@ -69,6 +67,7 @@ int hand_over() {
 std::optional<int> become_prover() {
   return hand_over();
 }
+// Nobody comes here without become_prover().
 std::vector<report::OutputFile> prove_answer(Solution&, const StopCondition&,
                                              const ProgressHook&) {
   return {};

@@ -103,8 +103,8 @@ inline constexpr Fineness kPlain{8, 10, kMostPlaces, 1},
     std::span<const Scene> scenes, const Scene& from, const Extremal& known,
     const Fineness& fineness, Instructions instructions = best_instructions());
 
-/// Shots with the unknowns of an extremal, at half its steps, for scenes of its
-/// own natural units.
+/// Shots with the unknowns of an extremal, one step between two of its places,
+/// for scenes of its own natural units.
 [[nodiscard]] std::vector<Landing> land(
     std::span<const Scene> natural, const Extremal& extremal,
     Instructions instructions = best_instructions());

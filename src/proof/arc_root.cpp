@@ -273,10 +273,11 @@ ArcSystem::Value ArcSystem::evaluate(const std::vector<Real>& at,
 
 namespace {
 
-/// C, of which some ten digits are enough.
+/// Of numbers near, of which some ten digits are enough.
+constexpr Accuracy kRough{.bits = 96, .terms = 24, .share = 0.18, .near = true};
+
+/// C.
 Matrix rough_inverse(const ArcSystem& system, const std::vector<Real>& at) {
-  constexpr Accuracy kRough{
-      .bits = 96, .terms = 24, .share = 0.18, .near = true};
   const Bits bits(kRough.bits);
   return inverse_of_middle(system.evaluate(at, kRough, true).slopes);
 }
@@ -284,8 +285,6 @@ Matrix rough_inverse(const ArcSystem& system, const std::vector<Real>& at) {
 /// Where nothing depends on θ an approximation need not have it.
 void settle_rotation(const ArcSystem& system, std::vector<Real>& near) {
   if (system.chain().scene.body.off_centred()) return;
-  constexpr Accuracy kRough{
-      .bits = 96, .terms = 24, .share = 0.18, .near = true};
   const std::vector<Real> given = near;
   const ArcSystem::Value found = system.evaluate(near, kRough, false);
   for (std::size_t a = 1; a < found.ends.size(); ++a) {

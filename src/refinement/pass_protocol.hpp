@@ -30,6 +30,13 @@ struct PassProtocol : RefinementProtocol {
     message = std::move(text);
     return false;
   }
+  /// Adds a pass of Ipopt.
+  void add(const SolverResult& result) {
+    record.iterations += result.iterations;
+    ++record.passes;
+    record.linear_solver = result.linear_solver;
+    log += result.log;
+  }
   /// Ends the record of a mesh on which the transit time is T.
   void keep_record(const char* phase, double T) {
     meshes.push_back(std::exchange(record, {}));

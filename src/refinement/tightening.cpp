@@ -67,11 +67,7 @@ SolverResult Tightening::run(nlp::Problem& problem, const PrimalDual& start,
   ipopt.max_iterations = std::min(budget_, kMostIterations);
   SolverResult result = solve_with_ipopt(problem, start, ipopt);
   budget_ = std::max(0, budget_ - result.iterations);
-  MeshRecord& record = protocol_.record;
-  record.iterations += result.iterations;
-  ++record.passes;
-  record.linear_solver = result.linear_solver;
-  protocol_.log += result.log;
+  protocol_.add(result);
   if (result.status == Status::IterationLimit && budget_ > 0) {
     // Of one of many passes, not of the user.
     result.status = Status::NotConverged;

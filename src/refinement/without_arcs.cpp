@@ -187,11 +187,7 @@ class WithoutArcs {
     ipopt.max_iterations = std::min(ipopt_.max_iterations, kMostIterations);
     SolverResult result = solve_with_ipopt(problem, start, ipopt);
     ipopt_.max_iterations -= result.iterations;
-    MeshRecord& record = protocol_.record;
-    record.iterations += result.iterations;
-    ++record.passes;
-    record.linear_solver = result.linear_solver;
-    protocol_.log += result.log;
+    protocol_.add(result);
     return result;
   }
   /// Moves a start to where limits that give way at a price are kept.

@@ -186,8 +186,6 @@ template <class Source>
 [[nodiscard]] Fields<Solution> search_fields();
 /// What enclosures say, in one line.
 [[nodiscard]] std::string in_words(const Proof& proof);
-/// "1.5e-12": two digits that are not below a positive bound.
-[[nodiscard]] std::string at_most_in_words(double bound);
 /// Of `brachisto design`; no key of another result.
 [[nodiscard]] Field<DesignAnswer> design_field();
 [[nodiscard]] Field<Solution> seconds_field();

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "report/result_field.hpp"
+#include "report/text_table.hpp"
 
 namespace brachisto::report {
 
@@ -199,16 +200,6 @@ Fields<Solution> search_fields() {
       discrete_field()};
 }
 
-std::string at_most_in_words(double bound) {
-  std::string out = fmt::format("{:.1e}", bound);
-  // A bound that is rounded down is none.
-  for (double up = bound; std::stod(out) < bound;) {
-    up *= 1.01;
-    out = fmt::format("{:.1e}", up);
-  }
-  return out;
-}
-
 std::string in_words(const Proof& proof) {
   if (!proof.not_proven_because.empty()) {
     return "none: " + proof.not_proven_because;
@@ -216,7 +207,7 @@ std::string in_words(const Proof& proof) {
   std::string out = fmt::format(
       "one extremal with τ in [{}, {}]; the τ above is off by at most {}, "
       "{} its estimated error",
-      proof.tau_lower, proof.tau_upper, at_most_in_words(proof.off_at_most),
+      proof.tau_lower, proof.tau_upper, at_most(proof.off_at_most),
       proof.within_estimate ? "within" : "more than");
   for (const Proof::Statement& each : proof.statements) {
     if (each.why_not.empty()) continue;

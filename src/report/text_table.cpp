@@ -141,6 +141,16 @@ std::string within_error(double value, double error) {
   return fmt::format("{:.{}f}", value, std::max(0, decimals(value, error)));
 }
 
+std::string at_most(double bound) {
+  std::string out = fmt::format("{:.1e}", bound);
+  // A bound that is rounded down is none.
+  for (double up = bound; std::stod(out) < bound;) {
+    up *= 1.01;
+    out = fmt::format("{:.1e}", up);
+  }
+  return out;
+}
+
 void add_line(std::string& out, std::string_view label,
               const std::string& text) {
   fmt::format_to(std::back_inserter(out), "  {:<16} {}\n", label, text);

@@ -48,6 +48,9 @@ enum class TableForm { Text, Markdown };
 /// The digits of a value that its error leaves, without the error: "5.0934".
 [[nodiscard]] std::string within_error(double value, double error);
 
+/// "1.5e-12": two digits that are not below a positive bound.
+[[nodiscard]] std::string at_most(double bound);
+
 void add_line(std::string& out, std::string_view label,
               const std::string& text);
 

@@ -4,8 +4,8 @@
 /// \file
 /// The rolling body in a uniform field without air: closed forms of its rates
 /// with their derivatives. With them, and with no derivatives by ignorable
-/// states, a free extremal took 9 s where jets in all of them took 26; in a
-/// limited program they took a tenth of what jets took.
+/// states, a free extremal took 9 s where jets in all of them took 26, and a
+/// limited solve 1.42 G instructions where it took 1.55.
 
 #pragma once
 

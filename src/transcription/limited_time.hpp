@@ -92,6 +92,7 @@ class LimitedTime final : public CollocatedTime<rolling::Turning> {
   /// them just there may exceed them.
   ///
   /// \param margins  by element, then limit, ≥ 0; or none
+  /// \pre no limit is held as an equation
   void draw_in(std::vector<std::vector<double>> margins);
   /// By which the bounds of a limit are drawn in at a point.
   [[nodiscard]] double margin(int point, int limit) const;

@@ -43,6 +43,7 @@ TEST(CertifyProof, TellsBoundsAndWritesTheCertificate) {
   const double tau = 3.0 + 0.5 * std::numbers::pi;
   EXPECT_NEAR(std::stod(proof["tau_lower"].get<std::string>()), tau, 1e-15);
   EXPECT_NEAR(std::stod(proof["tau_upper"].get<std::string>()), tau, 1e-15);
+  ASSERT_FALSE(proof["theorems"].empty());
   for (const json& theorem : proof["theorems"]) {
     EXPECT_EQ(theorem["holds"], true) << theorem;
   }

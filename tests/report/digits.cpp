@@ -29,6 +29,13 @@ TEST(Digits, OfALargeErrorStandBesideIt) {
   EXPECT_EQ(within_error(1234.5, 20.0), "1234");
 }
 
+// A bound that is rounded to the nearest may be none.
+TEST(Digits, OfABoundAreRoundedUp) {
+  EXPECT_EQ(at_most(1.41e-12), "1.5e-12");
+  EXPECT_EQ(at_most(9.91e-3), "1.0e-02");
+  EXPECT_EQ(at_most(0.5), "5.0e-01");
+}
+
 TEST(Digits, AreTwelveIfTheErrorIsNotKnown) {
   EXPECT_EQ(with_error(1.0 / 3.0, 0.0), "0.333333333333");
   EXPECT_EQ(with_error(1.0 / 3.0, std::numeric_limits<double>::quiet_NaN()),

@@ -197,7 +197,7 @@ class Collocation : public EvaluatedPoints<Description> {
         const int c = e * p + j;
         Density& D = of[at(j)];
         D = density(c, objective_factor * scheme_->rule.weights[at(j)], lambda);
-        for (double& second : D.hessian) second *= h * U;
+        for (double& entry : D.hessian) entry *= h * U;
         for (int i = 0; i < layout_.num_limits(); ++i) {
           add_second(limit_at(c, i), lambda[at(layout_.limit(c, i))], D);
         }

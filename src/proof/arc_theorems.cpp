@@ -243,7 +243,7 @@ State components(const Vector& found, std::size_t arc) {
   return out;
 }
 
-ShownArc arc_of(const ArcSystem& system, const ArcRoot& root, std::size_t a) {
+ShownArc arc_of(const ArcSystem& system, const Root& root, std::size_t a) {
   return {
       system.chain(),
       system.plain(a),
@@ -256,7 +256,7 @@ ShownArc arc_of(const ArcSystem& system, const ArcRoot& root, std::size_t a) {
 
 }  // namespace
 
-void stays_on_its_side(const ArcSystem& system, const ArcRoot& root,
+void stays_on_its_side(const ArcSystem& system, const Root& root,
                        const Accuracy& accuracy) {
   const Bits bits(accuracy.bits);
   const Scene own = in_own_units(system.chain().scene);
@@ -285,7 +285,7 @@ void stays_on_its_side(const ArcSystem& system, const ArcRoot& root,
   }
 }
 
-Enclosures enclosures_of(const ArcChain& chain, const ArcRoot& root) {
+Enclosures enclosures_of(const ArcChain& chain, const Root& root) {
   const Scene& scene = chain.scene;
   Real time, length;
   for (const State& end : root.ends) {
@@ -298,7 +298,7 @@ Enclosures enclosures_of(const ArcChain& chain, const ArcRoot& root) {
           root.ends.back()[kTheta] - Real(scene.body.theta_m)};
 }
 
-FreeExtremal as_free(const ArcChain& chain, const ArcRoot& root) {
+FreeExtremal as_free(const ArcChain& chain, const Root& root) {
   FreeExtremal out;
   out.start = components(root.found, 0);
   out.length = root.found[ArcChain::length(0)];
@@ -309,7 +309,7 @@ FreeExtremal as_free(const ArcChain& chain, const ArcRoot& root) {
   return out;
 }
 
-Theorem prove_limits(const ArcSystem& system, const ArcRoot& root,
+Theorem prove_limits(const ArcSystem& system, const Root& root,
                      const Accuracy& accuracy) {
   const Bits bits(accuracy.bits);
   Theorem out{.holds = true};
@@ -319,7 +319,7 @@ Theorem prove_limits(const ArcSystem& system, const ArcRoot& root,
   return out;
 }
 
-ArcTheorems prove_arc_theorems(const ArcSystem& system, const ArcRoot& root,
+ArcTheorems prove_arc_theorems(const ArcSystem& system, const Root& root,
                                const Accuracy& accuracy) {
   const Bits bits(accuracy.bits);
   const ArcChain& chain = system.chain();

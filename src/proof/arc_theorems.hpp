@@ -9,7 +9,7 @@
 
 #include <vector>
 
-#include "proof/arc_root.hpp"
+#include "proof/arc_system.hpp"
 #include "proof/theorems.hpp"
 
 namespace brachisto::proof {
@@ -35,26 +35,25 @@ struct ArcTheorems {
 /// \param root  of which that it exists is shown
 /// \throws NotProven  if its motion cannot be enclosed
 [[nodiscard]] ArcTheorems prove_arc_theorems(const ArcSystem& system,
-                                             const ArcRoot& root,
+                                             const Root& root,
                                              const Accuracy& accuracy);
 
 /// That all limits are kept, strictly where they do not hold.
 /// \param root  of which that it exists is shown
 /// \throws NotProven  if its motion cannot be enclosed
-[[nodiscard]] Theorem prove_limits(const ArcSystem& system, const ArcRoot& root,
+[[nodiscard]] Theorem prove_limits(const ArcSystem& system, const Root& root,
                                    const Accuracy& accuracy);
 
 /// Shows that the field has the law of one side of its surface all along every
 /// chain that starts in the box that was searched.
 /// \throws NotProven  if it has not
-void stays_on_its_side(const ArcSystem& system, const ArcRoot& root,
+void stays_on_its_side(const ArcSystem& system, const Root& root,
                        const Accuracy& accuracy);
 
 /// Numbers of the extremal of a chain.
-[[nodiscard]] Enclosures enclosures_of(const ArcChain& chain,
-                                       const ArcRoot& root);
+[[nodiscard]] Enclosures enclosures_of(const ArcChain& chain, const Root& root);
 
 /// An extremal of one free arc as the theorems of such have it.
-[[nodiscard]] FreeExtremal as_free(const ArcChain& chain, const ArcRoot& root);
+[[nodiscard]] FreeExtremal as_free(const ArcChain& chain, const Root& root);
 
 }  // namespace brachisto::proof

@@ -158,14 +158,15 @@ Json prove(const Scene& scene, const Accuracy& accuracy) {
   const Bits bits(accuracy.bits);
   try {
     if (is_plain(scene)) {
-      const Root root = find_root(scene, approximation(scene), accuracy);
-      return document(scene, accuracy, shown_of(scene, root, accuracy));
+      const PlainSystem system(scene);
+      const Root root = find_root(system, approximation(scene), accuracy);
+      return document(scene, accuracy, shown_of(system, root, accuracy));
     }
     const NearChain near = approximate_chain(scene);
     const std::string why = not_of_this_kind(near.chain);
     if (!why.empty()) throw NotProven("nothing is proven where " + why);
     const ArcSystem system(near.chain);
-    const ArcRoot root = find_arc_root(system, near.unknowns, accuracy);
+    const Root root = find_root(system, near.unknowns, accuracy);
     return document(scene, accuracy, shown_of(system, root, accuracy));
   } catch (const TooFewBits& error) {
     constexpr int kWord = 32;
@@ -222,36 +223,32 @@ Json check(const Json& certificate) {
     searched.push_back(ball(said.at("searched")));
     found.push_back(ball(said.at("found")));
   }
-  std::optional<ArcSystem> system;
-  if (!is_plain(scene)) {
-    system.emplace(chain_from(scene, certificate.at("arcs")));
+  std::optional<PlainSystem> plain;
+  std::optional<ArcSystem> chain;
+  if (is_plain(scene)) {
+    plain.emplace(scene);
+  } else {
+    chain.emplace(chain_from(scene, certificate.at("arcs")));
   }
-  if (searched.size() !=
-      (system ? system->chain().num_unknowns() : kUnknowns)) {
+  const ShootingSystem& system =
+      plain ? static_cast<const ShootingSystem&>(*plain) : *chain;
+  if (searched.size() != system.units().size()) {
     throw Refused("its box is another's");
   }
-  const Shown shown =
-      system
-          ? shown_of(*system, verify_arc_root(*system, searched, accuracy),
-                     accuracy)
-          : shown_of(scene, verify_root(scene, searched, accuracy), accuracy);
+  const Root root = verify_root(system, searched, accuracy);
+  const Shown shown = plain ? shown_of(*plain, root, accuracy)
+                            : shown_of(*chain, root, accuracy);
   Json again = document(scene, accuracy, shown);
   compare(certificate, again);
-  const std::array<std::pair<const char*, const Real*>, 5> enclosures{
-      {{"tau", &shown.enclosed.tau},
-       {"start_angle", &shown.enclosed.start_angle},
-       {"end_angle", &shown.enclosed.end_angle},
-       {"length_per_H", &shown.enclosed.length},
-       {"rotation", &shown.enclosed.rotation}}};
-  for (const auto& [name, value] : enclosures) {
-    compare(certificate.at("enclosures").at(name), *value, name);
+  for (const auto& [name, number] : kEnclosures) {
+    compare(certificate.at("enclosures").at(name), shown.enclosed.*number,
+            name);
   }
   compare_friction(certificate.at("least_friction"), shown.friction);
   compare_junctions(certificate, shown.junctions);
   if (!within(shown.found, found)) {
     // The part that is found depends on C; a second step leaves less of it.
-    const Vector narrower = system ? narrowed(*system, shown.found, accuracy)
-                                   : narrowed(scene, shown.found, accuracy);
+    const Vector narrower = narrowed(system, shown.found, accuracy);
     if (!within(narrower, found)) {
       throw Refused("its box is not where the root is");
     }

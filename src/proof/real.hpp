@@ -50,11 +50,7 @@ class Real {
   [[nodiscard]] arb_ptr get() { return ball_; }
   [[nodiscard]] arb_srcptr get() const { return ball_; }
 
-  [[nodiscard]] static Real pi() {
-    Real out;
-    arb_const_pi(out.get(), working_bits);
-    return out;
-  }
+  [[nodiscard]] static Real pi() { return made(arb_const_pi, working_bits); }
   /// All between two exact numbers.
   [[nodiscard]] static Real between(double lower, double upper) {
     Real out;
@@ -81,17 +77,9 @@ class Real {
     return out;
   }
 
-  [[nodiscard]] Real middle() const {
-    Real out;
-    arb_get_mid_arb(out.get(), ball_);
-    return out;
-  }
+  [[nodiscard]] Real middle() const { return made(arb_get_mid_arb, ball_); }
   /// ρ as an exact number, and with it the ball about zero.
-  [[nodiscard]] Real radius() const {
-    Real out;
-    arb_get_rad_arb(out.get(), ball_);
-    return out;
-  }
+  [[nodiscard]] Real radius() const { return made(arb_get_rad_arb, ball_); }
   [[nodiscard]] Real widened(const Real& by) const {
     Real out = *this;
     arb_add_error(out.get(), by.get());
@@ -110,16 +98,8 @@ class Real {
     return out;
   }
   [[nodiscard]] double lower() const { return -negated().upper(); }
-  [[nodiscard]] Real negated() const {
-    Real out;
-    arb_neg(out.get(), ball_);
-    return out;
-  }
-  [[nodiscard]] Real abs() const {
-    Real out;
-    arb_abs(out.get(), ball_);
-    return out;
-  }
+  [[nodiscard]] Real negated() const { return made(arb_neg, ball_); }
+  [[nodiscard]] Real abs() const { return made(arb_abs, ball_); }
   [[nodiscard]] bool finite() const { return arb_is_finite(ball_) != 0; }
   [[nodiscard]] bool positive() const { return arb_is_positive(ball_) != 0; }
   [[nodiscard]] bool has_zero() const { return arb_contains_zero(ball_) != 0; }
@@ -135,43 +115,37 @@ class Real {
   Real& operator+=(const Real& other) { return *this = *this + other; }
   [[nodiscard]] Real operator-() const { return negated(); }
   friend Real operator+(const Real& a, const Real& b) {
-    Real out;
-    arb_add(out.get(), a.get(), b.get(), working_bits);
-    return out;
+    return made(arb_add, a.get(), b.get(), working_bits);
   }
   friend Real operator-(const Real& a, const Real& b) {
-    Real out;
-    arb_sub(out.get(), a.get(), b.get(), working_bits);
-    return out;
+    return made(arb_sub, a.get(), b.get(), working_bits);
   }
   friend Real operator*(const Real& a, const Real& b) {
-    Real out;
-    arb_mul(out.get(), a.get(), b.get(), working_bits);
-    return out;
+    return made(arb_mul, a.get(), b.get(), working_bits);
   }
   friend Real operator/(const Real& a, const Real& b) {
-    Real out;
-    arb_div(out.get(), a.get(), b.get(), working_bits);
-    return out;
+    return made(arb_div, a.get(), b.get(), working_bits);
   }
   friend Real sin(const Real& a) {
-    Real out;
-    arb_sin(out.get(), a.get(), working_bits);
-    return out;
+    return made(arb_sin, a.get(), working_bits);
   }
   friend Real cos(const Real& a) {
-    Real out;
-    arb_cos(out.get(), a.get(), working_bits);
-    return out;
+    return made(arb_cos, a.get(), working_bits);
   }
   /// \pre a > 0; of another it is no number
   friend Real sqrt(const Real& a) {
-    Real out;
-    arb_sqrt(out.get(), a.get(), working_bits);
-    return out;
+    return made(arb_sqrt, a.get(), working_bits);
   }
 
  private:
+  /// What a function of Arb puts out.
+  template <class Function, class... Arguments>
+  [[nodiscard]] static Real made(Function function, Arguments... arguments) {
+    Real out;
+    function(out.get(), arguments...);
+    return out;
+  }
+
   arb_t ball_;
 };
 

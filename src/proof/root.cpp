@@ -3,229 +3,201 @@
 
 #include "proof/root.hpp"
 
-#include <cmath>
+#include <arb_mat.h>
 
-#include "extremal/shooting.hpp"
-#include "model/start_angle.hpp"
-#include "model/units.hpp"
+#include <algorithm>
+#include <cmath>
 
 namespace brachisto::proof {
 
 namespace {
 
-Real inertia(const Scene& scene, const Real& theta, const Real& beta) {
-  const Real root = inertia_root(scene, theta, beta);
-  return root * root;
-}
-
-// A cos β = a η cos(θ_m − β), a = sin β + η cos θ_m, by Newton's operator on
-// an interval about the angle of 64 bits; with A_β = 2 η cos(θ_m − β),
-// d/dβ (A cos β − a η cos δ) = η cos δ cos β − A sin β − a η sin δ.
-Real enclosed_start_angle(const Scene& scene) {
-  const Body& body = scene.body;
-  const Real half_pi = Real::pi() * Real(0.5);
-  if (!body.off_centred() || body.theta_m == 0.0) return half_pi;
-  constexpr double kRadius = 1e-12;
-  constexpr int kSteps = 12;
-  const Real theta(body.theta_m), eta(body.eta_m);
-  const auto newton = [&](const Real& box, bool& inside) {
-    const auto terms = [&](const Real& beta) {
-      return std::array{inertia(scene, theta, beta),
-                        sin(beta) + eta * cos(theta), theta - beta};
-    };
-    const Real middle = box.middle();
-    const auto [A, a, delta] = terms(middle);
-    const Real value = A * cos(middle) - a * eta * cos(delta);
-    const auto [A_box, a_box, delta_box] = terms(box);
-    const Real slope = eta * cos(delta_box) * cos(box) - A_box * sin(box) -
-                       a_box * eta * sin(delta_box);
-    const Real next = middle - value / slope;
-    inside = next.finite() && !slope.has_zero() && a_box.positive() &&
-             next.inside(box);
-    return next;
-  };
-  Real box = Real(brachisto::start_angle(body)).widened(Real(kRadius));
-  bool inside = false;
-  Real next = newton(box, inside);
-  if (!inside) throw NotProven("the start angle is not enclosed");
-  for (int i = 0; i < kSteps && inside; ++i) {
-    box = next;
-    next = newton(box, inside);
-  }
-  return box;
-}
-
-/// F and F' at a point or over a box.
-struct Shot {
-  State end, rates;
-  Unknowns missed;
-  Matrix slopes;
-  int steps = 0;
-};
-
-Shot shoot(const Scene& scene, const Ends& ends, const Unknowns& at,
-           const Accuracy& accuracy, bool with_slopes) {
-  const int directions = with_slopes ? 3 : 0;
-  Flow flow(scene, directions, accuracy);
-  Shot out;
-  out.end = ends.start(at, directions);
-  out.steps = flow.go(out.end, at.back());
-  out.rates = flow.rates(out.end);
-  out.missed = ends.missed(out.end);
-  if (with_slopes) out.slopes = ends.slopes(out.end, out.rates);
-  return out;
-}
-
-/// C, of which some ten digits are enough.
-Matrix rough_inverse(const Scene& scene, const Ends& ends, const Unknowns& at) {
-  constexpr Accuracy kRough{
-      .bits = 96, .terms = 24, .share = 0.18, .near = true};
-  const Bits bits(kRough.bits);
-  return inverse_of_middle(shoot(scene, ends, at, kRough, true).slopes);
-}
-
-Root krawczyk(const Scene& scene, const Unknowns& box, const Matrix& inverse,
-              const Accuracy& accuracy,
-              KrawczykOperator image = krawczyk_image) {
-  const Ends ends(scene);
-  const Unknowns middle = middle_of(box);
-  const Shot centre = shoot(scene, ends, middle, accuracy, false);
-  const Shot over = shoot(scene, ends, box, accuracy, true);
-  Root out{box, image(box, inverse, centre.missed, over.slopes), centre.end,
-           over.steps};
-  // y(m) + y'(X) (x − m) for every x of the part found.
-  for (std::size_t j = 0; j < kUnknowns; ++j) {
-    const Real off = out.found[j] - middle[j];
-    for (std::size_t i = 0; i < kComponents; ++i) {
-      const Real& slope =
-          j + 1 < kUnknowns ? over.end[Equations::place(i, j)] : over.rates[i];
-      out.end[i] += slope * off;
+/// Of a matrix near the middle of one.
+Matrix inverse_of_middle(const Matrix& of) {
+  const auto size = static_cast<slong>(of.size());
+  arb_mat_t a, b;
+  arb_mat_init(a, size, size);
+  arb_mat_init(b, size, size);
+  for (slong i = 0; i < size; ++i) {
+    for (slong j = 0; j < size; ++j) {
+      const Real& entry =
+          of[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+      arb_set(arb_mat_entry(a, i, j), entry.middle().get());
     }
   }
-  if (!out.found.back().positive()) {
-    throw TooFewBits("that the arc has a length is not shown");
+  const bool regular = arb_mat_inv(b, a, working_bits) != 0;
+  Matrix out(of.size(), Vector(of.size()));
+  for (slong i = 0; regular && i < size; ++i) {
+    for (slong j = 0; j < size; ++j) {
+      Real& entry =
+          out[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+      arb_set(entry.get(), arb_mat_entry(b, i, j));
+      entry = entry.middle();
+    }
+  }
+  arb_mat_clear(a);
+  arb_mat_clear(b);
+  if (!regular) throw NotProven("the equations of the ends are singular");
+  return out;
+}
+
+Vector product(const Matrix& a, const Vector& v) {
+  Vector out(a.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t j = 0; j < v.size(); ++j) out[i] += a[i][j] * v[j];
   }
   return out;
+}
+
+/// In units of these.
+double largest(const Vector& of, const std::vector<double>& units) {
+  double out = 0.0;
+  for (std::size_t i = 0; i < of.size(); ++i) {
+    out = std::max(out, of[i].abs().upper() / units[i]);
+  }
+  return out;
+}
+
+Vector middle_of(const Vector& box) {
+  Vector out;
+  for (const Real& each : box) out.push_back(each.middle());
+  return out;
+}
+
+/// C, of which nothing is promised.
+Matrix rough_inverse(const ShootingSystem& system, const Vector& at) {
+  const Bits bits(kRough.bits);
+  return inverse_of_middle(system.evaluate(at, kRough, true).slopes);
+}
+
+/// K, which holds every root that X holds.
+///
+/// \param missed  encloses F(m)
+/// \param slopes  enclose F'(X)
+Vector image(const Vector& box, const Matrix& inverse, const Vector& missed,
+             const Matrix& slopes) {
+  const std::size_t size = box.size();
+  const Vector step = product(inverse, missed);
+  Vector out(size);
+  for (std::size_t i = 0; i < size; ++i) {
+    Real rest;
+    for (std::size_t k = 0; k < size; ++k) {
+      Real contracts(i == k ? 1.0 : 0.0);
+      for (std::size_t j = 0; j < size; ++j) {
+        if (arb_is_zero(slopes[j][k].get()) != 0) continue;
+        contracts = contracts - inverse[i][j] * slopes[j][k];
+      }
+      rest += contracts * (box[k] - box[k].middle());
+    }
+    out[i] = box[i].middle() - step[i] + rest;
+  }
+  return out;
+}
+
+/// Whether K has to lie in the interior of X, which shows that X holds a root.
+enum class Holds { IsAsked, IsKnown };
+
+Root krawczyk(const ShootingSystem& system, const Vector& box,
+              const Matrix& inverse, const Accuracy& accuracy, Holds holds) {
+  const Vector middle = middle_of(box);
+  const ShootingSystem::Value centre = system.evaluate(middle, accuracy, false);
+  const ShootingSystem::Value over = system.evaluate(box, accuracy, true);
+  Root out{box, image(box, inverse, centre.missed, over.slopes), centre.ends,
+           over.steps};
+  for (std::size_t i = 0; i < box.size() && holds == Holds::IsAsked; ++i) {
+    if (!out.found[i].finite() || !out.found[i].inside(box[i])) {
+      throw TooFewBits(
+          "Krawczyk's operator does not map the box into itself: it holds no "
+          "root, or the precision is too low");
+    }
+  }
+  // y(m) + y'(X) (x − m) for every x of the part found.
+  const std::size_t numbers = system.per_arc() - 1;
+  for (std::size_t a = 0; a < out.ends.size(); ++a) {
+    const std::size_t begin = a * system.per_arc(), length = begin + numbers;
+    for (std::size_t i = 0; i < kComponents; ++i) {
+      Real& end = out.ends[a][i];
+      for (std::size_t j = 0; j < numbers; ++j) {
+        end += system.slope(over.ends[a], a, i, j) *
+               (out.found[begin + j] - middle[begin + j]);
+      }
+      end += over.rates[a][i] * (out.found[length] - middle[length]);
+    }
+    if (!out.found[length].positive()) {
+      throw TooFewBits("that an arc has a length is not shown");
+    }
+  }
+  system.check_ends(out.ends);
+  return out;
+}
+
+/// Newton's method with one inverse, to the digits of half the bits.
+/// \param at  [in,out] middles alone
+void converge(const ShootingSystem& system, Vector& at, const Matrix& inverse,
+              Accuracy accuracy) {
+  constexpr int kMostSteps = 12;
+  accuracy.near = true;
+  const std::vector<double> units = system.units();
+  const double enough = std::ldexp(1.0, -accuracy.bits / 2);
+  double step = 1.0;
+  for (int i = 0; i < kMostSteps && step > enough; ++i) {
+    const Vector by =
+        product(inverse, system.evaluate(at, accuracy, false).missed);
+    step = largest(by, units);
+    if (!(step < 1.0)) throw NotProven("Newton's method does not converge");
+    for (std::size_t k = 0; k < at.size(); ++k) {
+      at[k] = (at[k] - by[k]).middle();
+    }
+  }
+  if (!(step <= enough)) {
+    throw TooFewBits("Newton's method stops short of the precision");
+  }
 }
 
 }  // namespace
 
-std::string not_of_this_kind(const Scene& scene) {
-  if (scene.world.losses.any()) {
-    return "losses in proportion to the load, whose formulas have exponentials";
-  }
-  if (scene.path) return "given paths";
-  if (scene.body.ball) return "balls";
-  return "";
-}
-
-Ends::Ends(const Scene& scene)
-    : scene_(scene),
-      radius_(scene.body.rolls() && scene.contact == Contact::Smooth ? 1.0
-                                                                     : 0.0) {
-  const Real theta(scene.body.theta_m);
-  beta_ = enclosed_start_angle(scene);
-  // 𝓗 = √A + p_w g a = 0 at rest, g = 1/2.
-  const Real a = sin(beta_) + Real(scene.body.eta_m) * cos(theta);
-  p_w_ = -inertia_root(scene, theta, beta_) * Real(2.0) / a;
-  if (!p_w_.finite()) throw NotProven("the start has no growth of speed");
-}
-
-Real Ends::unit() const {
-  return Real(scene_.body.rolls() ? scene_.body.radius : 1.0);
-}
-
-State Ends::start(const Unknowns& unknowns, int directions) const {
-  State state(kComponents * static_cast<std::size_t>(1 + directions));
-  state[kTheta] = Real(scene_.body.theta_m);
-  state[kPx] = unknowns[0];
-  state[kPz] = unknowns[1];
-  state[kPtheta] = unknowns[2];
-  state[kPw] = p_w_;
-  state[kBeta] = beta_;
-  if (directions > 0) {
-    state[Equations::place(kPx, 0)] = Real(1.0);
-    state[Equations::place(kPz, 1)] = Real(1.0);
-    state[Equations::place(kPtheta, 2)] = Real(1.0);
-  }
-  return state;
-}
-
-// The centre starts at (r sin β₀, −r cos β₀) and ends at
-// (L + r sin β, H − r cos β).
-Unknowns Ends::missed(const State& end) const {
-  const Real r(radius_);
-  const Real x = end[kX] + r * (sin(beta_) - sin(end[kBeta]));
-  const Real z = end[kZ] - r * (cos(beta_) - cos(end[kBeta]));
-  return {x - Real(scene_.L) / unit(), z - Real(scene_.H) / unit(),
-          end[kPtheta], end[kPw]};
-}
-
-Matrix Ends::slopes(const State& end, const State& rates) const {
-  const Real r(radius_);
-  const Real c = r * cos(end[kBeta]), s = r * sin(end[kBeta]);
-  Matrix out(kUnknowns, Vector(kUnknowns));
-  for (std::size_t j = 0; j < kUnknowns; ++j) {
-    const auto by = [&](std::size_t component) {
-      return j + 1 < kUnknowns ? end[Equations::place(component, j)]
-                               : rates[component];
-    };
-    out[0][j] = by(kX) - c * by(kBeta);
-    out[1][j] = by(kZ) - s * by(kBeta);
-    out[2][j] = by(kPtheta);
-    out[3][j] = by(kPw);
-  }
-  return out;
-}
-
-Unknowns approximation(const Scene& scene) {
-  const ExtremalSolution found = solve_extremal(scene);
-  if (!found.usable()) throw NotProven("no extremal: " + found.message);
-  const double length = scene.body.rolls() ? scene.body.radius : 1.0;
-  const double time = std::sqrt(length / (2.0 * scene.gravity));
-  const double p_theta =
-      scene.body.off_centred() ? found.path.at(0.0).p_theta / time : 0.0;
-  return {Real(found.p_x * length / time), Real(found.p_z * length / time),
-          Real(p_theta), Real(found.rolling_time / time)};
-}
-
-Root find_root(const Scene& scene, const Unknowns& near,
+Root find_root(const ShootingSystem& system, Vector near,
                const Accuracy& accuracy) {
+  constexpr double kTimes = 1024.0;
   const Bits bits(accuracy.bits);
-  const Ends ends(scene);
-  Unknowns at = near;
-  const Matrix inverse = rough_inverse(scene, ends, at);
-  Accuracy nearly = accuracy;
-  nearly.near = true;
-  const std::vector<double> units(kUnknowns, 1.0);
-  converge(at, units, inverse, accuracy.bits, [&](const Unknowns& there) {
-    return shoot(scene, ends, there, nearly, false).missed;
-  });
-  return in_a_box(
-      at, units, accuracy.bits,
-      [&] {
-        return product(inverse, shoot(scene, ends, at, accuracy, false).missed);
-      },
-      [&](const Unknowns& box) {
-        return krawczyk(scene, box, inverse, accuracy);
-      });
+  system.settle(near);
+  const Matrix inverse = rough_inverse(system, near);
+  converge(system, near, inverse, accuracy);
+  const std::vector<double> units = system.units();
+  const auto in_a_box = [&](double radius) {
+    Vector box;
+    for (std::size_t k = 0; k < near.size(); ++k) {
+      box.push_back(near[k].widened(Real(radius * units[k])));
+    }
+    return krawczyk(system, box, inverse, accuracy, Holds::IsAsked);
+  };
+  const double usual = std::ldexp(1.0, -(2 * accuracy.bits) / 5);
+  try {
+    return in_a_box(usual);
+  } catch (const NotProven&) {
+    // Where wrapping is bad, one that is not much wider than what one
+    // integration leaves open.
+    const double radius =
+        kTimes *
+        largest(product(inverse, system.evaluate(near, accuracy, false).missed),
+                units);
+    if (!(radius < usual)) throw;
+    return in_a_box(radius);
+  }
 }
 
-Root verify_root(const Scene& scene, const Unknowns& box,
+Root verify_root(const ShootingSystem& system, const Vector& box,
                  const Accuracy& accuracy) {
   const Bits bits(accuracy.bits);
-  const Unknowns middle = middle_of(box);
-  const Ends ends(scene);
-  const Matrix inverse = rough_inverse(scene, ends, middle);
-  return krawczyk(scene, box, inverse, accuracy);
+  return krawczyk(system, box, rough_inverse(system, middle_of(box)), accuracy,
+                  Holds::IsAsked);
 }
 
-Unknowns narrowed(const Scene& scene, const Unknowns& found,
-                  const Accuracy& accuracy) {
+Vector narrowed(const ShootingSystem& system, const Vector& found,
+                const Accuracy& accuracy) {
   const Bits bits(accuracy.bits);
-  const Ends ends(scene);
-  return krawczyk(scene, found, rough_inverse(scene, ends, middle_of(found)),
-                  accuracy, krawczyk_operator)
+  return krawczyk(system, found, rough_inverse(system, middle_of(found)),
+                  accuracy, Holds::IsKnown)
       .found;
 }
 

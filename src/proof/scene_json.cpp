@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "model/limit_table.hpp"
 #include "proof/equations.hpp"
 
 namespace brachisto::proof {
@@ -20,46 +21,12 @@ constexpr std::array<std::pair<Contact, const char*>, 4> kContacts{
      {Contact::Optimal, "optimal"},
      {Contact::EndSlope, "end_slope"}}};
 
-using Number = std::optional<double>;
-Number& friction(PathLimits& limits) {
-  return limits.friction;
-}
-Number& least_normal_force(PathLimits& limits) {
-  return limits.normal_min;
-}
-Number& largest_normal_force(PathLimits& limits) {
-  return limits.normal_max;
-}
-Number& hump(PathLimits& limits) {
-  return limits.curvature.hump;
-}
-Number& valley(PathLimits& limits) {
-  return limits.curvature.valley;
-}
-Number& fold_margin(PathLimits& limits) {
-  return limits.fold_margin;
-}
-Number& lowest_place(PathLimits& limits) {
-  return limits.floor;
-}
-
-/// The numbers that a scene may have as a limit.
-struct Bound {
-  const char* key;
-  Number& (*in)(PathLimits&);
-};
-constexpr std::array kBounds{Bound{"friction", friction},
-                             Bound{"normal_force.min", least_normal_force},
-                             Bound{"normal_force.max", largest_normal_force},
-                             Bound{"curvature.hump", hump},
-                             Bound{"curvature.valley", valley},
-                             Bound{"fold_margin", fold_margin},
-                             Bound{"floor", lowest_place}};
-
-Json limits_json(PathLimits limits) {
+Json limits_json(const PathLimits& limits) {
   Json out = Json::object();
-  for (const Bound& bound : kBounds) {
-    if (const auto& value = bound.in(limits)) out[bound.key] = hex(*value);
+  for (const LimitEntry& limit : limit_table()) {
+    if (const auto& bound = limit.bound(limits)) {
+      out[limit.name()] = hex(*bound);
+    }
   }
   if (limits.curvature.of == CurvatureLimit::Of::Centre) {
     out["curvature.of"] = "centre";
@@ -79,8 +46,9 @@ Json limits_json(PathLimits limits) {
 
 PathLimits limits_from(const Json& said) {
   PathLimits out;
-  for (const Bound& bound : kBounds) {
-    if (said.contains(bound.key)) bound.in(out) = number(said, bound.key);
+  for (const LimitEntry& limit : limit_table()) {
+    const std::string key(limit.name());
+    if (said.contains(key)) limit.bound_in(out) = number(said, key);
   }
   if (said.contains("curvature.of")) {
     out.curvature.of = CurvatureLimit::Of::Centre;
@@ -125,7 +93,7 @@ std::string hex(double number) {
   return {out.data(), static_cast<std::size_t>(size)};
 }
 
-double number(const Json& object, const char* key) {
+double number(const Json& object, std::string_view key) {
   const std::string text = object.at(key).get<std::string>();
   std::size_t read = 0;
   const double out = std::stod(text, &read);

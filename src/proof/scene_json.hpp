@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "brachisto/model/scene.hpp"
 #include "proof/real.hpp"
@@ -27,7 +28,7 @@ class Refused : public std::runtime_error {
 /// In hexadecimal digits, and back.
 [[nodiscard]] std::string hex(double number);
 /// \throws Refused
-[[nodiscard]] double number(const Json& object, const char* key);
+[[nodiscard]] double number(const Json& object, std::string_view key);
 /// \throws Refused  if it is none that Real::exact() wrote, or not finite
 [[nodiscard]] Real ball(const Json& text);
 

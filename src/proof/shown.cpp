@@ -118,8 +118,10 @@ std::string decimal_end(const Real& ball, bool upper) {
   return (negative ? "-" : "") + digits;
 }
 
-Shown shown_of(const Scene& scene, const Root& root, const Accuracy& accuracy) {
-  const Theorems found = prove_theorems(scene, as_free(scene, root), accuracy);
+Shown shown_of(const PlainSystem& system, const Root& root,
+               const Accuracy& accuracy) {
+  const Theorems found =
+      prove_theorems(system.scene(), as_free(system, root), accuracy);
   return {{"p_x", "p_z", "p_theta_0", "U"},
           root.searched,
           root.found,
@@ -131,7 +133,7 @@ Shown shown_of(const Scene& scene, const Root& root, const Accuracy& accuracy) {
           {}};
 }
 
-Shown shown_of(const ArcSystem& system, const ArcRoot& root,
+Shown shown_of(const ArcSystem& system, const Root& root,
                const Accuracy& accuracy) {
   const ArcChain& chain = system.chain();
   Shown out;
@@ -165,7 +167,10 @@ Json document(const Scene& scene, const Accuracy& accuracy,
     unknowns[shown.names[i]] = {{"searched", shown.searched[i].exact()},
                                 {"found", shown.found[i].exact()}};
   }
-  const Enclosures& e = shown.enclosed;
+  Json enclosures;
+  for (const auto& [name, number] : kEnclosures) {
+    enclosures[name] = stated(shown.enclosed.*number);
+  }
   Json out = {{"certificate", "brachisto proof"},
               {"version", kCertificateVersion},
               {"provenance",
@@ -178,12 +183,7 @@ Json document(const Scene& scene, const Accuracy& accuracy,
                 {"share", hex(accuracy.share)},
                 {"steps", shown.steps}}},
               {"unknowns", unknowns},
-              {"enclosures",
-               {{"tau", stated(e.tau)},
-                {"start_angle", stated(e.start_angle)},
-                {"end_angle", stated(e.end_angle)},
-                {"length_per_H", stated(e.length)},
-                {"rotation", stated(e.rotation)}}},
+              {"enclosures", enclosures},
               {"theorems", shown.theorems},
               {"least_friction", friction(shown.friction)}};
   if (!shown.arcs.is_null()) {

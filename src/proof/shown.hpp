@@ -26,9 +26,9 @@ struct Shown {
   Json arcs;  ///< null of one free arc of a plain scene
 };
 
-[[nodiscard]] Shown shown_of(const Scene& scene, const Root& root,
+[[nodiscard]] Shown shown_of(const PlainSystem& system, const Root& root,
                              const Accuracy& accuracy);
-[[nodiscard]] Shown shown_of(const ArcSystem& system, const ArcRoot& root,
+[[nodiscard]] Shown shown_of(const ArcSystem& system, const Root& root,
                              const Accuracy& accuracy);
 
 /// The certificate.

@@ -46,9 +46,6 @@ class Tails {
   }
 
  private:
-  struct Sines {
-    double of_sine, of_cosine;
-  };
   [[nodiscard]] bool pass();
   [[nodiscard]] double tail(std::size_t node) const;
   [[nodiscard]] double spill(std::size_t a, std::size_t b) const;

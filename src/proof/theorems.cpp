@@ -10,8 +10,7 @@
 
 #include "brachisto/math/jet.hpp"
 #include "model/field.hpp"
-#include "proof/excess.hpp"
-#include "proof/friction.hpp"
+#include "proof/along.hpp"
 
 namespace brachisto::proof {
 
@@ -179,17 +178,18 @@ Theorem no_conjugate_point(const Scene& scene, const State& end,
   return out;
 }
 
-FreeExtremal as_free(const Scene& scene, const Root& root) {
-  const Ends ends(scene);
+FreeExtremal as_free(const PlainSystem& system, const Root& root) {
+  const Scene& scene = system.scene();
+  const State& end = root.ends.front();
   FreeExtremal out;
-  out.start = ends.start(root.found, 0);
-  out.end = root.end;
+  out.start = system.start(root.found, 0);
+  out.end = end;
   out.length = root.found.back();
-  out.per_H = ends.unit() / Real(scene.H);
-  out.start_place = ends.start_place();
-  out.enclosed = {root.end[kTime] * sqrt(out.per_H), ends.start_angle(),
-                  root.end[kBeta], root.end[kLength] * out.per_H,
-                  root.end[kTheta] - Real(scene.body.theta_m)};
+  out.per_H = system.unit() / Real(scene.H);
+  out.start_place = system.start_place();
+  out.enclosed = {end[kTime] * sqrt(out.per_H), system.start_angle(),
+                  end[kBeta], end[kLength] * out.per_H,
+                  end[kTheta] - Real(scene.body.theta_m)};
   return out;
 }
 

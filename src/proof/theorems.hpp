@@ -6,14 +6,46 @@
 
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
-#include "proof/root.hpp"
-#include "proof/sign.hpp"
+#include "proof/plain_system.hpp"
 
 namespace brachisto::proof {
+
+/// Whether a function of u is positive, shown or refuted by enclosures.
+enum class Sign { Positive, Unknown, Refuted };
+
+/// All from one end to the other.
+[[nodiscard]] inline Real hull(const Real& from, const Real& to) {
+  Real out;
+  arb_union(out.get(), from.get(), to.get(), working_bits);
+  return out;
+}
+
+/// The sign all along, the way cut into pieces if need be. It is refuted if the
+/// function is negative at a point, which is then written down.
+/// \param value  encloses the function over an interval of u
+template <class Value>
+[[nodiscard]] Sign sign_along(const Real& from, const Real& to,
+                              const Value& value, Real& where, int pieces = 1) {
+  constexpr int kMostPieces = 128;
+  constexpr double kSplit = 0.5;
+  if (value(hull(from, to)).positive()) return Sign::Positive;
+  const Real middle = ((from + to) * Real(kSplit)).middle();
+  if ((-value(middle)).positive()) {
+    where = middle;
+    return Sign::Refuted;
+  }
+  if (2 * pieces > kMostPieces) return Sign::Unknown;
+  const Sign first = sign_along(from, middle, value, where, 2 * pieces);
+  if (first == Sign::Refuted) return first;
+  const Sign second = sign_along(middle, to, value, where, 2 * pieces);
+  return first == Sign::Unknown && second == Sign::Positive ? first : second;
+}
 
 /// A statement, or why it is not shown.
 struct Theorem {
@@ -36,6 +68,14 @@ struct Enclosures {
   Real length;       ///< S/H
   Real rotation;     ///< θ − θ_m at the end
 };
+
+/// By their names in certificates.
+inline constexpr std::array<std::pair<const char*, Real Enclosures::*>, 5>
+    kEnclosures{{{"tau", &Enclosures::tau},
+                 {"start_angle", &Enclosures::start_angle},
+                 {"end_angle", &Enclosures::end_angle},
+                 {"length_per_H", &Enclosures::length},
+                 {"rotation", &Enclosures::rotation}}};
 
 /// What is found of Weierstrass' excess, the time that another slope costs
 /// more.
@@ -63,8 +103,7 @@ struct FreeExtremal {
   bool rests = true;  ///< at A
 };
 
-/// \param root  of a plain scene
-[[nodiscard]] FreeExtremal as_free(const Scene& scene, const Root& root);
+[[nodiscard]] FreeExtremal as_free(const PlainSystem& system, const Root& root);
 
 /// All that is shown.
 struct Theorems {

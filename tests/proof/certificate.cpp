@@ -169,8 +169,8 @@ TEST(Certificate, IsRefusedWhenItsRootIsAPointBesideIt) {
             std::string::npos);
 }
 
-Unknowns box_of(const Json& made) {
-  Unknowns out;
+Vector box_of(const Json& made) {
+  Vector out;
   for (const auto& [name, said] : made["unknowns"].items()) {
     EXPECT_TRUE(
         Real::read(said["searched"].get<std::string>(), out.emplace_back()));
@@ -188,19 +188,22 @@ TEST(Certificate, WritesNumbersAlikeOnEverySystem) {
 
 TEST(Krawczyk, RefusesABoxWithoutTheRoot) {
   const Accuracy accuracy = accuracy_of(128);
-  const Unknowns box = box_of(certificate());
-  EXPECT_NO_THROW((void)verify_root(bead(), box, accuracy));
-  Unknowns beside = box;
+  const Vector box = box_of(certificate());
+  EXPECT_NO_THROW((void)verify_root(PlainSystem(bead()), box, accuracy));
+  Vector beside = box;
   beside[0] = beside[0] + beside[0].radius() * Real(3.0);
-  EXPECT_THROW((void)verify_root(bead(), beside, accuracy), NotProven);
+  EXPECT_THROW((void)verify_root(PlainSystem(bead()), beside, accuracy),
+               NotProven);
   Scene farther = bead();
   farther.L = std::nextafter(3.0, 4.0);
-  Unknowns narrow = box;
+  Vector narrow = box;
   for (Real& each : narrow) each = each.middle().widened(Real(0x1p-70));
-  EXPECT_THROW((void)verify_root(farther, narrow, accuracy), NotProven);
-  Unknowns wide = box;
+  EXPECT_THROW((void)verify_root(PlainSystem(farther), narrow, accuracy),
+               NotProven);
+  Vector wide = box;
   for (Real& each : wide) each = each.widened(Real(0.25));
-  EXPECT_THROW((void)verify_root(bead(), wide, accuracy), NotProven);
+  EXPECT_THROW((void)verify_root(PlainSystem(bead()), wide, accuracy),
+               NotProven);
 }
 
 }  // namespace

@@ -28,15 +28,16 @@ const Scene& tilted() {
 const Root& root_of_tilted() {
   static const Root root = [] {
     const Bits bits(kBits);
-    return find_root(tilted(), approximation(tilted()), accuracy_of(kBits));
+    return find_root(PlainSystem(tilted()), approximation(tilted()),
+                     accuracy_of(kBits));
   }();
   return root;
 }
 
 /// What an extremal misses at the end that leaves with another slope.
-Unknowns missed(double shift) {
+Vector missed(double shift) {
   const Bits bits(kBits);
-  const Ends ends(tilted());
+  const PlainSystem ends(tilted());
   Flow flow(tilted(), 0, accuracy_of(kBits));
   State state = ends.start(root_of_tilted().found, 0);
   state[kBeta] += Real(shift);
@@ -57,11 +58,11 @@ TEST(MustFail, AnotherEndCondition) {
   const Bits bits(kBits);
   Scene other = tilted();
   other.contact = Contact::Centre;
-  EXPECT_NO_THROW((void)verify_root(tilted(), root_of_tilted().searched,
-                                    accuracy_of(kBits)));
-  EXPECT_THROW(
-      (void)verify_root(other, root_of_tilted().searched, accuracy_of(kBits)),
-      NotProven);
+  EXPECT_NO_THROW((void)verify_root(
+      PlainSystem(tilted()), root_of_tilted().searched, accuracy_of(kBits)));
+  EXPECT_THROW((void)verify_root(PlainSystem(other), root_of_tilted().searched,
+                                 accuracy_of(kBits)),
+               NotProven);
 }
 
 // 96 bits are too few for a cylinder, and so they are where A comes near 0.
@@ -96,12 +97,12 @@ TEST(MustFail, ABodyBeyondItsBounds) {
 }
 
 /// Whether an extremal near these unknowns has no point conjugate to its end.
-Theorem no_conjugate_point_near(const Scene& scene, const Unknowns& unknowns) {
+Theorem no_conjugate_point_near(const Scene& scene, const Vector& unknowns) {
   Accuracy accuracy = accuracy_of(160);
   const Bits bits(accuracy.bits);
   accuracy.near = true;
   Flow flow(scene, 0, accuracy);
-  State end = Ends(scene).start(unknowns, 0);
+  State end = PlainSystem(scene).start(unknowns, 0);
   flow.go(end, unknowns.back());
   accuracy.near = false;
   return no_conjugate_point(scene, end, unknowns.back(), accuracy);

@@ -154,7 +154,7 @@ TEST(Tails, HaveNoBoundBeyondAPole) {
 
 /// The cycloid of a bead from rest, −p_x = c: β = π/2 − c u/2 and
 /// w = sin(c u/2)/c, exactly.
-Unknowns cycloid(const Real& c) {
+Vector cycloid(const Real& c) {
   return {-c, Real(0.0), Real(0.0), Real(0.0)};
 }
 
@@ -164,7 +164,7 @@ TEST(Flow, EnclosesTheCycloid) {
   const Accuracy accuracy;
   const Bits bits(accuracy.bits);
   const Scene scene = bead();
-  const Ends ends(scene);
+  const PlainSystem ends(scene);
   const Real c(0.75), length(2.5);
   Flow flow(scene, 3, accuracy);
   State state = ends.start(cycloid(c), 3);
@@ -190,7 +190,7 @@ TEST(Family, IsFoundConjugateBeyondTheStart) {
   const Accuracy accuracy{.bits = 128, .terms = 38};
   const Bits bits(accuracy.bits);
   const Scene scene = bead();
-  const Ends ends(scene);
+  const PlainSystem ends(scene);
   const Real length(2.5);
   Flow flow(scene, 0, accuracy);
   State end = ends.start(cycloid(Real(0.75)), 0);

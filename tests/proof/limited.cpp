@@ -163,8 +163,8 @@ TEST(Limited, AHumpGoesOverIntoAValley) {
 /// The bead's scene with these arcs, found from those of the floor.
 struct OnFloor {
   NearChain near = approximate_chain(on_floor());
-  ArcRoot root =
-      find_arc_root(ArcSystem(near.chain), near.unknowns, accuracy_of(kBits));
+  Root root =
+      find_root(ArcSystem(near.chain), near.unknowns, accuracy_of(kBits));
 };
 const OnFloor& found_on_floor() {
   static const OnFloor found;
@@ -177,11 +177,11 @@ TEST(MustFail, AnotherFloor) {
   ArcChain other = found.near.chain;
   other.scene.limits.floor = other.scene.H = 1.0 - 0x1p-40;
   other.arcs[1]->limit.number = *other.scene.limits.floor;
-  EXPECT_THROW((void)verify_arc_root(ArcSystem(other), found.root.searched,
-                                     accuracy_of(kBits)),
+  EXPECT_THROW((void)verify_root(ArcSystem(other), found.root.searched,
+                                 accuracy_of(kBits)),
                NotProven);
-  EXPECT_NO_THROW((void)verify_arc_root(
-      ArcSystem(found.near.chain), found.root.searched, accuracy_of(kBits)));
+  EXPECT_NO_THROW((void)verify_root(ArcSystem(found.near.chain),
+                                    found.root.searched, accuracy_of(kBits)));
 }
 
 // The free cycloid goes through the floor.
@@ -193,7 +193,7 @@ TEST(MustFail, AFreePathThroughAFloor) {
   }());
   near.chain.scene.limits.floor = 1.0;
   const ArcSystem system(near.chain);
-  const ArcRoot root = find_arc_root(system, near.unknowns, accuracy_of(kBits));
+  const Root root = find_root(system, near.unknowns, accuracy_of(kBits));
   const ArcTheorems shown =
       prove_arc_theorems(system, root, accuracy_of(kBits));
   EXPECT_FALSE(shown.keeps.holds);
@@ -220,15 +220,15 @@ TEST(MustFail, ABoundFromTheWrongSide) {
 TEST(MustFail, AJumpToTheWrongSide) {
   const NearChain near = approximate_chain(on_a_circle_and_a_floor());
   const ArcSystem system(near.chain);
-  const ArcRoot root = find_arc_root(system, near.unknowns, accuracy_of(kBits));
-  const auto why_not = [](const ArcSystem& of, const ArcRoot& at) {
+  const Root root = find_root(system, near.unknowns, accuracy_of(kBits));
+  const auto why_not = [](const ArcSystem& of, const Root& at) {
     const Theorem shown =
         prove_arc_theorems(of, at, accuracy_of(kBits)).multipliers;
     EXPECT_EQ(shown.holds, !shown.refuted);
     return shown.why_not;
   };
   EXPECT_EQ(why_not(system, root), "");
-  ArcRoot other = root;
+  Root other = root;
   Real& jump = other.found[near.chain.jump(1)];
   EXPECT_TRUE(jump.positive());
   jump = -jump;

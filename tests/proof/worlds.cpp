@@ -139,15 +139,15 @@ TEST(MustFail, AnotherPush) {
   Scene scene = bead();
   scene.world.start_speed = 2.0;
   const NearChain near = approximate_chain(scene);
-  const ArcRoot root =
-      find_arc_root(ArcSystem(near.chain), near.unknowns, accuracy_of(kBits));
-  EXPECT_NO_THROW((void)verify_arc_root(ArcSystem(near.chain), root.searched,
-                                        accuracy_of(kBits)));
+  const Root root =
+      find_root(ArcSystem(near.chain), near.unknowns, accuracy_of(kBits));
+  EXPECT_NO_THROW((void)verify_root(ArcSystem(near.chain), root.searched,
+                                    accuracy_of(kBits)));
   ArcChain faster = near.chain;
   faster.scene.world.start_speed += 1e-9;
-  EXPECT_THROW((void)verify_arc_root(ArcSystem(faster), root.searched,
-                                     accuracy_of(kBits)),
-               NotProven);
+  EXPECT_THROW(
+      (void)verify_root(ArcSystem(faster), root.searched, accuracy_of(kBits)),
+      NotProven);
 }
 
 }  // namespace

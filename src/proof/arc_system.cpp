@@ -1,14 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "proof/arc_root.hpp"
+#include "proof/arc_system.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include "extremal/arc_boundary.hpp"
-#include "proof/linear.hpp"
 
 namespace brachisto::proof {
 
@@ -186,9 +185,9 @@ Real ArcSystem::slope(const State& end, std::size_t arc, std::size_t i,
       i, static_cast<std::size_t>(found - directions.begin()))];
 }
 
-ArcSystem::Value ArcSystem::evaluate(const std::vector<Real>& at,
-                                     const Accuracy& accuracy,
-                                     bool with_slopes) const {
+ShootingSystem::Value ArcSystem::evaluate(const Vector& at,
+                                          const Accuracy& accuracy,
+                                          bool with_slopes) const {
   const std::size_t size = chain_.num_unknowns();
   Value out;
   // A row by the numbers of a node.
@@ -271,22 +270,10 @@ ArcSystem::Value ArcSystem::evaluate(const std::vector<Real>& at,
   return out;
 }
 
-namespace {
-
-/// Of numbers near, of which some ten digits are enough.
-constexpr Accuracy kRough{.bits = 96, .terms = 24, .share = 0.18, .near = true};
-
-/// C.
-Matrix rough_inverse(const ArcSystem& system, const std::vector<Real>& at) {
-  const Bits bits(kRough.bits);
-  return inverse_of_middle(system.evaluate(at, kRough, true).slopes);
-}
-
-/// Where nothing depends on θ an approximation need not have it.
-void settle_rotation(const ArcSystem& system, std::vector<Real>& near) {
-  if (system.chain().scene.body.off_centred()) return;
-  const std::vector<Real> given = near;
-  const ArcSystem::Value found = system.evaluate(near, kRough, false);
+void ArcSystem::settle(Vector& near) const {
+  if (chain_.scene.body.off_centred()) return;
+  const Vector given = near;
+  const Value found = evaluate(near, kRough, false);
   for (std::size_t a = 1; a < found.ends.size(); ++a) {
     const std::size_t before = ArcChain::node(a - 1) + kTheta;
     near[ArcChain::node(a) + kTheta] =
@@ -294,77 +281,11 @@ void settle_rotation(const ArcSystem& system, std::vector<Real>& near) {
   }
 }
 
-ArcRoot krawczyk(const ArcSystem& system, const std::vector<Real>& box,
-                 const Matrix& inverse, const Accuracy& accuracy,
-                 KrawczykOperator image = krawczyk_image) {
-  const std::vector<Real> middle = middle_of(box);
-  const ArcSystem::Value centre = system.evaluate(middle, accuracy, false);
-  const ArcSystem::Value over = system.evaluate(box, accuracy, true);
-  ArcRoot out;
-  out.searched = box;
-  out.found = image(box, inverse, centre.missed, over.slopes);
-  out.steps = over.steps;
-  // y(m) + y'(X) (x − m) for every x of the part found.
-  for (std::size_t a = 0; a < centre.ends.size(); ++a) {
-    State& end = out.ends.emplace_back(centre.ends[a]);
-    for (std::size_t i = 0; i < kComponents; ++i) {
-      for (std::size_t j = 0; j < kNode; ++j) {
-        const std::size_t k = ArcChain::node(a) + j;
-        end[i] +=
-            system.slope(over.ends[a], a, i, j) * (out.found[k] - middle[k]);
-      }
-      const std::size_t k = ArcChain::length(a);
-      end[i] += over.rates[a][i] * (out.found[k] - middle[k]);
-    }
-    if (!out.found[ArcChain::length(a)].positive()) {
-      throw TooFewBits("that an arc has a length is not shown");
-    }
-  }
-  // z of B follows from the floor below the body, not above it.
-  if (along_boundary(system.chain().arcs.back()) &&
-      !cos(out.ends.back()[kBeta]).positive()) {
+void ArcSystem::check_ends(const std::vector<State>& ends) const {
+  if (along_boundary(chain_.arcs.back()) &&
+      !cos(ends.back()[kBeta]).positive()) {
     throw NotProven("the path arrives at B upside down");
   }
-  return out;
-}
-
-}  // namespace
-
-ArcRoot find_arc_root(const ArcSystem& system, std::vector<Real> near,
-                      const Accuracy& accuracy) {
-  const Bits bits(accuracy.bits);
-  const std::vector<double> units = system.chain().units();
-  settle_rotation(system, near);
-  const Matrix inverse = rough_inverse(system, near);
-  Accuracy nearly = accuracy;
-  nearly.near = true;
-  converge(near, units, inverse, accuracy.bits,
-           [&](const std::vector<Real>& at) {
-             return system.evaluate(at, nearly, false).missed;
-           });
-  return in_a_box(
-      near, units, accuracy.bits,
-      [&] {
-        return product(inverse, system.evaluate(near, accuracy, false).missed);
-      },
-      [&](const std::vector<Real>& box) {
-        return krawczyk(system, box, inverse, accuracy);
-      });
-}
-
-ArcRoot verify_arc_root(const ArcSystem& system, const std::vector<Real>& box,
-                        const Accuracy& accuracy) {
-  const Bits bits(accuracy.bits);
-  return krawczyk(system, box, rough_inverse(system, middle_of(box)), accuracy);
-}
-
-std::vector<Real> narrowed(const ArcSystem& system,
-                           const std::vector<Real>& found,
-                           const Accuracy& accuracy) {
-  const Bits bits(accuracy.bits);
-  return krawczyk(system, found, rough_inverse(system, middle_of(found)),
-                  accuracy, krawczyk_operator)
-      .found;
 }
 
 }  // namespace brachisto::proof

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// Exactly one extremal of a chain of arcs in a box: Krawczyk's operator on
-/// the unknowns of multiple shooting.
+/// The equations of multiple shooting over a chain of arcs.
 
 #pragma once
 
@@ -12,7 +11,7 @@
 #include <vector>
 
 #include "proof/arc_chain.hpp"
-#include "proof/flow.hpp"
+#include "proof/root.hpp"
 
 namespace brachisto::proof {
 
@@ -55,27 +54,29 @@ class NodeConditions {
 /// - at B: its place, p_θ = p_w = 0, and of an arc whose control is held
 ///   p_β = 0 or what the contact asks for. Along a boundary one coordinate of B
 ///   follows from the other, and from cos β > 0, which is shown.
-class ArcSystem {
+class ArcSystem final : public ShootingSystem {
  public:
   /// \throws NotProven  if the equations are not as many as the unknowns
   explicit ArcSystem(const ArcChain& chain);
-  ~ArcSystem();
+  ~ArcSystem() override;
 
   [[nodiscard]] const ArcChain& chain() const { return chain_; }
 
-  struct Value {
-    std::vector<Real> missed;               ///< F
-    std::vector<std::vector<Real>> slopes;  ///< F', if asked for
-    std::vector<State> ends;   ///< of each arc, with derivatives if asked for
-    std::vector<State> rates;  ///< there
-    int steps = 0;
-  };
-  [[nodiscard]] Value evaluate(const std::vector<Real>& at,
-                               const Accuracy& accuracy,
-                               bool with_slopes) const;
-  /// ∂(component i at the end of an arc)/∂(number j of its node).
+  [[nodiscard]] Value evaluate(const Vector& at, const Accuracy& accuracy,
+                               bool with_slopes) const override;
+  [[nodiscard]] std::size_t per_arc() const override {
+    return ArcChain::kPerArc;
+  }
   [[nodiscard]] Real slope(const State& end, std::size_t arc, std::size_t i,
-                           std::size_t j) const;
+                           std::size_t j) const override;
+  [[nodiscard]] std::vector<double> units() const override {
+    return chain_.units();
+  }
+  /// Where nothing depends on θ an approximation need not have it.
+  void settle(Vector& near) const override;
+  /// z of B follows from the floor below the body, not above it.
+  void check_ends(const std::vector<State>& ends) const override;
+
   /// The equations of an arc, without directions.
   [[nodiscard]] const Equations& plain(std::size_t arc) const;
 
@@ -85,28 +86,5 @@ class ArcSystem {
   std::vector<std::unique_ptr<OfArc>> arcs_;
   std::unique_ptr<NodeConditions> at_B_;
 };
-
-/// What Krawczyk's operator has shown of a chain.
-struct ArcRoot {
-  std::vector<Real> searched, found;
-  std::vector<State> ends;  ///< of each arc, of a mean value form
-  int steps = 0;            ///< of one integration
-};
-
-/// From an approximation, as find_root().
-/// \throws NotProven
-[[nodiscard]] ArcRoot find_arc_root(const ArcSystem& system,
-                                    std::vector<Real> near,
-                                    const Accuracy& accuracy);
-/// Krawczyk's operator on a box, as verify_root().
-/// \throws NotProven
-[[nodiscard]] ArcRoot verify_arc_root(const ArcSystem& system,
-                                      const std::vector<Real>& box,
-                                      const Accuracy& accuracy);
-
-/// A part of a box in which a root is, with that root.
-[[nodiscard]] std::vector<Real> narrowed(const ArcSystem& system,
-                                         const std::vector<Real>& found,
-                                         const Accuracy& accuracy);
 
 }  // namespace brachisto::proof

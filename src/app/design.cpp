@@ -27,7 +27,6 @@
 #include "brachisto/io/problem_file.hpp"
 #include "brachisto/report/result.hpp"
 #include "design/best_track.hpp"
-#include "design/gather_designs.hpp"
 #include "math/wall_clock.hpp"
 #include "report/design_report.hpp"
 #include "sweep/directory_lock.hpp"

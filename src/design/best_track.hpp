@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// The body that a design comes to, with its track.
+/// What many searches of a design came to: the best body, with its track.
 
 #pragma once
 
@@ -16,6 +16,10 @@
 #include "math/wall_clock.hpp"
 
 namespace brachisto {
+
+/// The different minima of several searches, quickest first, and the best one.
+[[nodiscard]] DesignAnswer gather_designs(const DesignPlan& plan,
+                                          std::vector<DesignSearch> searches);
 
 /// Of the limit of time searches leave a tenth for the track of the best body.
 inline constexpr double kShareOfSearches = 0.9;

@@ -6,9 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "design/offset_space.hpp"
-#include "design/parts_space.hpp"
-
 namespace brachisto {
 
 namespace {
@@ -43,8 +40,8 @@ Body body_of(const Traits& traits, const Body& like) {
 
 std::unique_ptr<DesignSpace> design_space(const DesignPlan& plan,
                                           const Body& body) {
-  if (!plan.free_parts.empty()) return std::make_unique<PartsSpace>(plan, body);
-  return offset_space(plan, body);
+  return plan.free_parts.empty() ? offset_space(plan, body)
+                                 : parts_space(plan, body);
 }
 
 }  // namespace brachisto

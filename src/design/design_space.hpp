@@ -110,7 +110,18 @@ class DesignSpace {
   std::vector<Row> rows_;
 };
 
-/// The space of a plan.
+/// Bodies by their offset, its direction, their inertia and radius: those that
+/// a plan without parts chooses from.
+/// \param body  what is not free
+[[nodiscard]] std::unique_ptr<DesignSpace> offset_space(const DesignPlan& plan,
+                                                        const Body& body);
+
+/// Bodies that consist of parts, some of which may move or change their mass.
+/// \param body  what is not free
+[[nodiscard]] std::unique_ptr<DesignSpace> parts_space(const DesignPlan& plan,
+                                                       const Body& body);
+
+/// The space of a plan: one of them.
 /// \param body  what is not free
 [[nodiscard]] std::unique_ptr<DesignSpace> design_space(const DesignPlan& plan,
                                                         const Body& body);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "design/offset_space.hpp"
+#include "design/design_space.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -60,27 +60,11 @@ class OffsetSpace final : public DesignSpace {
     Traits out = traits_of(body);
     for (std::size_t i = 0; i < axes_.size(); ++i) {
       const double value = y[at(i)];
-      switch (axes_[i]) {
-        case Axis::X:
-          out[0] = value;
-          break;
-        case Axis::Z:
-          out[1] = value;
-          break;
-        case Axis::Eta:
-          body.eta_m = value;
-          out.head<2>() = traits_of(body).head<2>();
-          break;
-        case Axis::Theta:
-          body.theta_m = value;
-          out.head<2>() = traits_of(body).head<2>();
-          break;
-        case Axis::K:
-          out[2] = value;
-          break;
-        case Axis::Radius:
-          out[3] = value;
-          break;
+      if (is_trait(axes_[i])) {
+        out[trait(axes_[i])] = value;
+      } else {
+        (axes_[i] == Axis::Eta ? body.eta_m : body.theta_m) = value;
+        out.head<2>() = traits_of(body).head<2>();
       }
     }
     return out;
@@ -90,83 +74,38 @@ class OffsetSpace final : public DesignSpace {
       const Eigen::VectorXd& y) const override {
     Eigen::Matrix4Xd out = Eigen::Matrix4Xd::Zero(4, size());
     for (std::size_t i = 0; i < axes_.size(); ++i) {
-      const double value = y[at(i)];
       auto column = out.col(at(i));
-      switch (axes_[i]) {
-        case Axis::X:
-          column[0] = 1.0;
-          break;
-        case Axis::Z:
-          column[1] = 1.0;
-          break;
-        case Axis::Eta:
-          column[0] = std::cos(body_.theta_m);
-          column[1] = std::sin(body_.theta_m);
-          break;
-        case Axis::Theta:
-          column[0] = -body_.eta_m * std::sin(value);
-          column[1] = body_.eta_m * std::cos(value);
-          break;
-        case Axis::K:
-          column[2] = 1.0;
-          break;
-        case Axis::Radius:
-          column[3] = 1.0;
-          break;
+      if (is_trait(axes_[i])) {
+        column[trait(axes_[i])] = 1.0;
+      } else if (axes_[i] == Axis::Eta) {
+        column.head<2>() << std::cos(body_.theta_m), std::sin(body_.theta_m);
+      } else {
+        column.head<2>() << -body_.eta_m * std::sin(y[at(i)]),
+            body_.eta_m * std::cos(y[at(i)]);
       }
     }
     return out;
   }
 
-  /// η² ≤ the square of its bound; a direction that turns from θ_l to θ_u, less
-  /// than half a turn, −e_x sin θ_l + e_z cos θ_l ≥ 0 and e_x sin θ_u − e_z cos
-  /// θ_u ≥ 0; the rim, e_x² + e_z² + k ≤ 1.
   [[nodiscard]] Eigen::VectorXd row_values(
       const Eigen::VectorXd& y) const override {
     const Traits t = traits(y);
-    const DesignBounds angle = plan_.bounds_of(BodyKey::ThetaM);
     Eigen::VectorXd out(at(rows_.size()));
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-      double& value = out[at(i)];
-      switch (kinds_[i]) {
-        case Kind::Size:
-          value = t.head<2>().squaredNorm();
-          break;
-        case Kind::From:
-          value = -t[0] * std::sin(angle.lower) + t[1] * std::cos(angle.lower);
-          break;
-        case Kind::To:
-          value = t[0] * std::sin(angle.upper) - t[1] * std::cos(angle.upper);
-          break;
-        case Kind::Rim:
-          value = t.head<2>().squaredNorm() + t[2];
-          break;
-      }
+      const auto [square, slope] = form(kinds_[i]);
+      out[at(i)] = square * t.head<2>().squaredNorm() +
+                   (slope[0] * t[0] + slope[1] * t[1] + slope[2] * t[2]);
     }
     return out;
   }
-
   [[nodiscard]] Eigen::MatrixXd row_jacobian(
       const Eigen::VectorXd& y) const override {
     const Traits t = traits(y);
-    const DesignBounds angle = plan_.bounds_of(BodyKey::ThetaM);
-    Eigen::MatrixX4d by_traits = Eigen::MatrixX4d::Zero(at(rows_.size()), 4);
+    Eigen::MatrixX4d by_traits(at(rows_.size()), 4);
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-      auto row = by_traits.row(at(i));
-      switch (kinds_[i]) {
-        case Kind::Size:
-          row << 2.0 * t[0], 2.0 * t[1], 0.0, 0.0;
-          break;
-        case Kind::From:
-          row << -std::sin(angle.lower), std::cos(angle.lower), 0.0, 0.0;
-          break;
-        case Kind::To:
-          row << std::sin(angle.upper), -std::cos(angle.upper), 0.0, 0.0;
-          break;
-        case Kind::Rim:
-          row << 2.0 * t[0], 2.0 * t[1], 1.0, 0.0;
-          break;
-      }
+      auto [square, slope] = form(kinds_[i]);
+      slope.head<2>() += 2.0 * square * t.head<2>();
+      by_traits.row(at(i)) = slope.transpose();
     }
     return by_traits * traits_jacobian(y);
   }
@@ -259,23 +198,9 @@ class OffsetSpace final : public DesignSpace {
     Eigen::VectorXd y(size());
     const Traits t = traits_of(body);
     for (std::size_t i = 0; i < axes_.size(); ++i) {
-      const double value = [&] {
-        switch (axes_[i]) {
-          case Axis::X:
-            return t[0];
-          case Axis::Z:
-            return t[1];
-          case Axis::Eta:
-            return body.eta_m;
-          case Axis::Theta:
-            return body.theta_m;
-          case Axis::K:
-            return t[2];
-          case Axis::Radius:
-            return t[3];
-        }
-        return 0.0;
-      }();
+      const double value = is_trait(axes_[i])      ? t[trait(axes_[i])]
+                           : axes_[i] == Axis::Eta ? body.eta_m
+                                                   : body.theta_m;
       y[at(i)] = std::clamp(value, lower_[i], upper_[i]);
     }
     return y;
@@ -332,8 +257,38 @@ class OffsetSpace final : public DesignSpace {
     return body;
   }
 
-  enum class Axis { X, Z, Eta, Theta, K, Radius };
+  /// Traits, then what the offset is in polar coordinates.
+  enum class Axis { X, Z, K, Radius, Eta, Theta };
+  [[nodiscard]] static bool is_trait(Axis axis) { return axis < Axis::Eta; }
+  [[nodiscard]] static Eigen::Index trait(Axis axis) {
+    return static_cast<Eigen::Index>(axis);
+  }
+
   enum class Kind { Size, From, To, Rim };
+
+  /// A row as a function of the traits: square · (e_x² + e_z²) + slope ·
+  /// traits.
+  struct Form {
+    double square;
+    Traits slope;
+  };
+  /// η² ≤ the square of its bound; a direction that turns from θ_l to θ_u, less
+  /// than half a turn, −e_x sin θ_l + e_z cos θ_l ≥ 0 and e_x sin θ_u − e_z cos
+  /// θ_u ≥ 0; the rim, e_x² + e_z² + k ≤ 1.
+  [[nodiscard]] Form form(Kind kind) const {
+    const DesignBounds angle = plan_.bounds_of(BodyKey::ThetaM);
+    switch (kind) {
+      case Kind::Size:
+        return {1.0, Traits::Zero()};
+      case Kind::From:
+        return {0.0, {-std::sin(angle.lower), std::cos(angle.lower), 0.0, 0.0}};
+      case Kind::To:
+        return {0.0, {std::sin(angle.upper), -std::cos(angle.upper), 0.0, 0.0}};
+      case Kind::Rim:
+        break;
+    }
+    return {1.0, {0.0, 0.0, 1.0, 0.0}};
+  }
 
   [[nodiscard]] static Eigen::Index at(std::size_t i) {
     return static_cast<Eigen::Index>(i);

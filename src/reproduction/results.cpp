@@ -15,7 +15,7 @@
 #include <utility>
 
 #include "brachisto/math/clock.hpp"
-#include "design/gather_designs.hpp"
+#include "design/best_track.hpp"
 #include "reproduction/bent_track.hpp"
 #include "reproduction/cases.hpp"
 #include "sweep/scratch_directory.hpp"

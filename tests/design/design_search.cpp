@@ -15,7 +15,7 @@
 
 #include "brachisto/model/body.hpp"
 #include "brachisto/study/solution.hpp"
-#include "design/gather_designs.hpp"
+#include "design/best_track.hpp"
 
 namespace brachisto {
 namespace {

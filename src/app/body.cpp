@@ -17,7 +17,7 @@
 #include "brachisto/model/body.hpp"
 #include "brachisto/report/result.hpp"
 #include "io/expression.hpp"
-#include "io/mass_part_text.hpp"
+#include "io/body_parts.hpp"
 #include "io/visible_text.hpp"
 #include "math/angle.hpp"
 

@@ -12,9 +12,6 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "io/findings.hpp"
-#include "io/visible_text.hpp"
-
 namespace brachisto::io {
 
 namespace {
@@ -115,8 +112,8 @@ bool is_value_key(std::string_view path) {
       (spec->parent() == "design" && spec->name() != "start")) {
     return false;
   }
-  return spec->type() == KeyType::Number || spec->type() == KeyType::Angle ||
-         spec->type() == KeyType::Integer || spec->type() == KeyType::Choice;
+  return is_real(*spec) || spec->type() == KeyType::Integer ||
+         spec->type() == KeyType::Choice;
 }
 
 std::vector<std::string_view> keys_of(std::string_view map) {
@@ -155,11 +152,6 @@ std::optional<KeyWord> word_that_uses(const KeySpec& spec, const Draft& draft) {
     }
   }
   return std::nullopt;
-}
-
-std::string objection(const KeySpec& spec, std::string_view word) {
-  if (std::ranges::count(spec.value.words, word) > 0) return "";
-  return unknown_word(word, expected(spec), spec.value.words);
 }
 
 std::string expected(const KeySpec& spec) {

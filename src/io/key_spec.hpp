@@ -179,6 +179,11 @@ inline constexpr const char* kInertiaKey = "scene.body.inertia";
 /// Whether a key may have, in place of a word, a map of keys below it.
 [[nodiscard]] bool is_choice_or_map(const KeySpec& spec);
 
+/// Whether a key has real numbers.
+[[nodiscard]] inline bool is_real(const KeySpec& spec) {
+  return spec.type() == KeyType::Number || spec.type() == KeyType::Angle;
+}
+
 /// Whether a number of this key may carry the suffix of an angle.
 [[nodiscard]] Unit unit_of(const KeySpec& spec);
 
@@ -195,9 +200,6 @@ struct KeyWord {
 
 /// A word as JSON has it: those of truth are no texts.
 [[nodiscard]] Json as_json(std::string_view word);
-
-/// Why a word is not one of a Choice, with what is expected; "" if it is.
-[[nodiscard]] std::string objection(const KeySpec& spec, std::string_view word);
 
 /// What a value has to be: "a number in m, > 0".
 [[nodiscard]] std::string expected(const KeySpec& spec);

@@ -112,35 +112,34 @@ void ProblemReader::refuse_unknown(const Entry& entry, std::string_view map) {
 void ProblemReader::read_value(const KeySpec& spec, const Entry& entry) {
   const YamlValue& node = entry.value;
   if (node.kind == YamlValue::Kind::Refused) return;
-  if (spec.type() == KeyType::List) {
-    return read_list(spec, entry);
-  }
   const bool is_map =
       spec.type() == KeyType::Map ||
       (node.kind == YamlValue::Kind::Map && is_choice_or_map(spec));
   if (is_map && (node.kind == YamlValue::Kind::Map ||
                  node.kind == YamlValue::Kind::Null)) {
     read_map(node, spec.path, entry.position);
-  } else if (is_map || node.kind != YamlValue::Kind::Scalar) {
+  } else if (is_map) {
     refuse_kind(node, std::string(spec.path), expected(spec), findings_);
-  } else if (spec.type() == KeyType::Choice) {
-    read_choice(spec, node);
-  } else if (spec.type() == KeyType::Text) {
-    spec.value.set(problem_, node.text);
-  } else {
+  } else if (is_real(spec) || spec.type() == KeyType::Integer) {
     read_number(spec, node);
+  } else {
+    read_others(spec, entry);
   }
 }
 
-void ProblemReader::read_list(const KeySpec& spec, const Entry& entry) {
+/// A word, a text or a list.
+void ProblemReader::read_others(const KeySpec& spec, const Entry& entry) {
   const YamlValue& node = entry.value;
   const std::string key(spec.path);
   const std::string expected = io::expected(spec);
-  const auto list =
+  const auto read =
       read_item(spec, node, entry.position, key, expected, findings_);
-  if (!list) return;
+  if (!read) return;
+  if (spec.type() != KeyType::List) {
+    return spec.value.set(problem_, read->get<std::string>());
+  }
   const auto [what, item] =
-      spec.value.put_list(problem_, *list, spec.value.row);
+      spec.value.put_list(problem_, *read, spec.value.row);
   if (what.empty()) return;
   findings_.add(
       item < node.items.size() ? node.items[item].position : node.position, key,
@@ -172,15 +171,6 @@ double ProblemReader::read_angle(const KeySpec& spec, const YamlValue& node) {
                   in_quotes(node.text), direction,
                   math::in_degrees(direction)));
   return direction;
-}
-
-void ProblemReader::read_choice(const KeySpec& spec, const YamlValue& node) {
-  std::string message = objection(spec, node.text);
-  if (message.empty()) {
-    spec.value.set(problem_, node.text);
-  } else {
-    findings_.add(node.position, std::string(spec.path), std::move(message));
-  }
 }
 
 ProblemFile read_problem_file(const std::filesystem::path& path,

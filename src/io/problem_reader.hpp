@@ -37,8 +37,7 @@ class ProblemReader {
   void read_entry(const Entry& entry, std::string_view map);
   void read_number(const KeySpec& spec, const YamlValue& node);
   [[nodiscard]] double read_angle(const KeySpec& spec, const YamlValue& node);
-  void read_list(const KeySpec& spec, const Entry& entry);
-  void read_choice(const KeySpec& spec, const YamlValue& node);
+  void read_others(const KeySpec& spec, const Entry& entry);
   void refuse_unknown(const Entry& entry, std::string_view map);
 
   Draft problem_;

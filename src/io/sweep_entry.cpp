@@ -71,10 +71,6 @@ const std::vector<KeySpec>& keys_beside_swept() {
   return keys;
 }
 
-bool is_real(const KeySpec& spec) {
-  return spec.type() == KeyType::Number || spec.type() == KeyType::Angle;
-}
-
 namespace {
 
 /// Reads an entry by itself. Words are checked here; of numbers it is seen

@@ -53,9 +53,6 @@ inline constexpr std::string_view kExpectedRanges =
 /// from one to the other; the far end may then be left out.
 [[nodiscard]] KeySpec range_of(const KeySpec& spec, bool counted);
 
-/// Whether a key has real numbers, which may be random.
-[[nodiscard]] bool is_real(const KeySpec& spec);
-
 /// What the section may have besides keys of the problem and `zip`: random,
 /// whose ranges are such keys, warm_start, keep.
 [[nodiscard]] const std::vector<KeySpec>& keys_beside_swept();

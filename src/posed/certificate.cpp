@@ -58,7 +58,7 @@ class Certifier {
         std::vector<double> yu = state;
         const PathValues here = values(e, t);
         yu.insert(yu.end(), here.controls.begin(), here.controls.end());
-        const std::vector<double> all = formulas(yu);
+        const std::vector<double> all = formulas(problem_, yu);
         slope.resize(states_);
         for (std::size_t s = 0; s < states_; ++s) {
           slope[s] = duration * mesh.length(e) * all[s + 1];
@@ -97,7 +97,7 @@ class Certifier {
   [[nodiscard]] Worst missed() const {
     std::vector<double> sums(states_, 0.0), sizes(states_, 1.0);
     each_share([&](int, const PathValues& here, double share) {
-      const std::vector<double> all = formulas(here.point());
+      const std::vector<double> all = formulas(problem_, here.point());
       for (std::size_t s = 0; s < states_; ++s) {
         sums[s] += share * std::abs(here.slopes[s] - all[s + 1]);
         sizes[s] = std::max(sizes[s], std::abs(here.states[s]));
@@ -119,7 +119,7 @@ class Certifier {
     const Mesh& mesh = path_.mesh();
     std::vector<double> of(at(mesh.num_elements()), 0.0);
     each_share([&](int e, const PathValues& here, double share) {
-      const std::vector<double> all = formulas(here.point());
+      const std::vector<double> all = formulas(problem_, here.point());
       double rate = all[0];
       for (std::size_t s = 0; s < states_; ++s) {
         rate += here.costates[s] * (all[s + 1] - here.slopes[s]);
@@ -132,7 +132,8 @@ class Certifier {
       for (int j = 0; j < mesh.degree; ++j) {
         of[at(e)] -=
             mesh.length(e) * scheme.rule.weights[at(j)] *
-            formulas(path_.values(e, scheme.rule.points[at(j)]).point())[0];
+            formulas(problem_,
+                     path_.values(e, scheme.rule.points[at(j)]).point())[0];
       }
       sum += std::abs(of[at(e)]);
     }
@@ -170,7 +171,7 @@ class Certifier {
     for (int e = 0; e < mesh.num_elements(); ++e) {
       for (int j = 0; j < mesh.degree; ++j) {
         const PathValues here = path_.values(e, scheme.rule.points[at(j)]);
-        const std::vector<double> values = formulas(here.point());
+        const std::vector<double> values = formulas(problem_, here.point());
         double h = values[0], terms = std::abs(values[0]);
         for (std::size_t s = 0; s < states_; ++s) {
           h += here.costates[s] * values[s + 1];
@@ -210,8 +211,8 @@ class Certifier {
   [[nodiscard]] std::string broken(int element) const {
     constexpr int kParts = 8;
     for (int i = 0; i <= kParts; ++i) {
-      const std::vector<double> all =
-          formulas(values(element, static_cast<double>(i) / kParts).point());
+      const std::vector<double> all = formulas(
+          problem_, values(element, static_cast<double>(i) / kParts).point());
       for (std::size_t k = 0; k <= states_; ++k) {
         if (!std::isfinite(all[k])) {
           return formula_name(said_, k) + ", which is not finite,";
@@ -225,40 +226,30 @@ class Certifier {
     keep_in_bounds(said_, problem_.scales(), here);
     return here;
   }
-  [[nodiscard]] std::vector<double> formulas(
-      const std::vector<double>& yu) const {
-    std::vector<double> out(1 + states_ + said_.limits.size());
-    problem_.evaluate(yu, out);
-    return out;
-  }
   [[nodiscard]] const std::string& name(std::size_t i) const {
     return variable(said_, i).name;
-  }
-  template <class With>
-  void each_element(With&& with) const {
-    for (int e = 0; e < path_.mesh().num_elements(); ++e) with(e);
   }
   /// Places of Gauss's rule on each element, with their shares of the duration.
   template <class With>
   void each_share(With&& with) const {
     const math::QuadratureRule& rule = gauss_scheme(kLargestDegree).rule;
-    each_element([&](int e) {
+    for (int e = 0; e < path_.mesh().num_elements(); ++e) {
       for (std::size_t j = 0; j < rule.points.size(); ++j) {
         with(e, values(e, rule.points[j]),
              path_.mesh().length(e) * rule.weights[j]);
       }
-    });
+    }
   }
   template <class With>
   void each_place(With&& with) const {
-    each_element([&](int e) {
+    for (int e = 0; e < path_.mesh().num_elements(); ++e) {
       // Densely at its ends: next to junctions a path exceeds a bound there.
       constexpr int kParts = 32;
       for (int i = 0; i <= kParts; ++i) {
         const double t = 0.5 * (1.0 - std::cos(std::numbers::pi * i / kParts));
         with(path_.duration() * path_.mesh().sigma(e, t), values(e, t));
       }
-    });
+    }
   }
   /// How far each variable and limit is below and above its bounds at each
   /// place, its scale and its name.
@@ -272,7 +263,7 @@ class Certifier {
         see(one.lower - yu[i] * scale, yu[i] * scale - one.upper, scale,
             one.name, time);
       }
-      const std::vector<double> all = formulas(yu);
+      const std::vector<double> all = formulas(problem_, yu);
       for (std::size_t i = 0; i < said_.limits.size(); ++i) {
         const Limit& limit = said_.limits[i];
         double scale = 1.0;
@@ -306,14 +297,15 @@ class Certifier {
       }
       return most;
     };
-    const std::vector<double> left = formulas(point(a)),
-                              right = formulas(point(b));
+    const std::vector<double> left = formulas(problem_, point(a)),
+                              right = formulas(problem_, point(b));
     for (std::size_t s = 0; s <= states_; ++s) {
       double l = a, r = b, vl = left[s], vr = right[s];
       const double first = std::abs(vr - vl);
       if (!(first > kMuch * (1.0 + std::abs(vl)))) continue;
       while (apart(l, r) > kOne && std::abs(vr - vl) >= kHalf * first) {
-        const double middle = 0.5 * (l + r), vm = formulas(point(middle))[s];
+        const double middle = 0.5 * (l + r),
+                     vm = formulas(problem_, point(middle))[s];
         if (!(l < middle && middle < r)) break;
         if (std::abs(vm - vl) > std::abs(vr - vm)) {
           r = middle, vr = vm;

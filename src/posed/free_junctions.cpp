@@ -13,8 +13,8 @@
 
 #include "brachisto/math/index.hpp"
 #include "nlp/active_set.hpp"
+#include "posed/bounds.hpp"
 #include "posed/certificate.hpp"
-#include "posed/prices.hpp"
 
 namespace brachisto::ocp {
 

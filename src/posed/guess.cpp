@@ -18,6 +18,15 @@ const Variable& variable(const Statement& said, std::size_t i) {
   return said.controls[i - said.parameters.size()];
 }
 
+std::vector<double> formulas(const Posed& problem,
+                             const std::vector<double>& yu) {
+  const Statement& said = problem.statement();
+  std::vector<double> out(1 + said.states.size() + said.parameters.size() +
+                          said.limits.size());
+  problem.evaluate(yu, out);
+  return out;
+}
+
 PrimalDual guess(const Posed& problem, const Mesh& mesh) {
   const Statement& said = problem.statement();
   const std::size_t states = said.states.size() + said.parameters.size();

@@ -17,6 +17,10 @@ namespace brachisto::ocp {
 /// Of states, then parameters, then controls.
 [[nodiscard]] const Variable& variable(const Statement& said, std::size_t i);
 
+/// L, the rates and the limits at states and controls.
+[[nodiscard]] std::vector<double> formulas(const Posed& problem,
+                                           const std::vector<double>& yu);
+
 [[nodiscard]] PrimalDual guess(const Posed& problem, const Mesh& mesh);
 
 }  // namespace brachisto::ocp

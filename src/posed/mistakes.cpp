@@ -103,10 +103,10 @@ class Asking {
                                 std::size_t i, bool unseen) const {
     std::vector<bool> seen(1 + states_ + said_.limits.size(), false);
     for (std::vector<double> yu : places) {
-      const std::vector<double> before = formulas(yu);
+      const std::vector<double> before = formulas(problem_, yu);
       for (const double share : kOther) {
         yu[i] = within(i, share);
-        const std::vector<double> behind = formulas(yu);
+        const std::vector<double> behind = formulas(problem_, yu);
         for (std::size_t f = 0; f < behind.size(); ++f) {
           if (!std::isfinite(before[f]) && !std::isfinite(behind[f])) continue;
           if (before[f] != behind[f]) return true;
@@ -115,12 +115,6 @@ class Asking {
       }
     }
     return unseen && std::ranges::count(seen, false) > 0;
-  }
-  [[nodiscard]] std::vector<double> formulas(
-      const std::vector<double>& yu) const {
-    std::vector<double> out(1 + states_ + said_.limits.size());
-    problem_.evaluate(yu, out);
-    return out;
   }
   [[nodiscard]] std::optional<double> given_value(bool at_start,
                                                   std::size_t formula) const {
@@ -133,7 +127,7 @@ class Asking {
         yu.push_back(given ? *given / problem_.scales()[i]
                            : within(i, i % 2 == 0 ? share : 1.0 - share));
       }
-      const double here = formulas(yu)[formula];
+      const double here = formulas(problem_, yu)[formula];
       if (!std::isfinite(here) || (value && *value != here)) return {};
       value = here;
     }
@@ -180,12 +174,10 @@ std::string not_finite(const Posed& problem, const MeshPath& path,
                        bool at_start) {
   const Statement& said = problem.statement();
   const int points = path.mesh().num_points();
-  std::vector<double> out(1 + at(path.layout().num_states()) +
-                          said.limits.size());
   for (int c = at_start ? -1 : 0; c < points; ++c) {
     const double share = c < 0 ? 0.0 : sigma(path.mesh(), c);
     const std::vector<double> yu = path.values(share).point();
-    problem.evaluate(yu, out);
+    const std::vector<double> out = formulas(problem, yu);
     for (std::size_t i = 0; i < out.size(); ++i) {
       if (std::isfinite(out[i])) continue;
       std::vector<std::string> where;
@@ -204,18 +196,15 @@ std::string not_finite(const Posed& problem, const MeshPath& path,
 std::string not_smooth(const Posed& problem, const MeshPath& path) {
   const Statement& said = problem.statement();
   constexpr double kStep = 1e-9, kMuch = 1e-3;
-  std::vector<double> left(1 + at(path.layout().num_states()) +
-                           said.limits.size()),
-      right(left.size());
   for (int c = 0; c < path.mesh().num_points(); ++c) {
     const double share = sigma(path.mesh(), c);
     std::vector<double> yu = path.values(share).point();
     for (std::size_t i = 0; i < yu.size(); ++i) {
       const double here = yu[i];
       yu[i] = here - kStep;
-      problem.evaluate(yu, left);
+      const std::vector<double> left = formulas(problem, yu);
       yu[i] = here + kStep;
-      problem.evaluate(yu, right);
+      const std::vector<double> right = formulas(problem, yu);
       yu[i] = here;
       for (std::size_t k = 0; k < left.size(); ++k) {
         if (std::abs(right[k] - left[k]) <= kMuch * (1.0 + std::abs(left[k]))) {
@@ -236,8 +225,6 @@ std::string turned(const Posed& problem, const MeshPath& path) {
   const Statement& said = problem.statement();
   const int states = path.layout().num_states();
   constexpr double kTurn = 2.0 * std::numbers::pi, kNear = 0.1, kSame = 1e-9;
-  std::vector<double> before(1 + at(states) + said.limits.size()),
-      behind(before.size());
   for (int c = 0; c + 1 < path.mesh().num_points(); ++c) {
     std::vector<double> yu = path.values(sigma(path.mesh(), c)).point();
     const PathValues next = path.values(sigma(path.mesh(), c + 1));
@@ -248,10 +235,10 @@ std::string turned(const Posed& problem, const MeshPath& path) {
           std::round((next.controls[k] - here) * scale / kTurn);
       const double rest = next.controls[k] - here - turns * kTurn / scale;
       if (turns == 0.0 || std::abs(rest) * scale > kNear * kTurn) continue;
-      problem.evaluate(yu, before);
+      const std::vector<double> before = formulas(problem, yu);
       const double first = here;
       here += turns * kTurn / scale;
-      problem.evaluate(yu, behind);
+      const std::vector<double> behind = formulas(problem, yu);
       here = first;
       const bool same =
           std::ranges::equal(before, behind, [](double a, double b) {

@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "brachisto/math/index.hpp"
+#include "posed/bounds.hpp"
 #include "posed/certificate.hpp"
 #include "posed/guess.hpp"
 #include "posed/mistakes.hpp"
-#include "posed/prices.hpp"
 
 namespace brachisto::ocp {
 
@@ -237,13 +237,12 @@ void MeshSolver::fill_in(OnMesh& here, const PrimalDual& start,
 double MeshSolver::size_of_cost(const OnMesh& here) const {
   const MeshPath path = here.path();
   const CollocationScheme& scheme = radau_scheme(here.mesh.degree);
-  std::vector<double> out(1 + at(here.layout.num_states()) +
-                          said_.limits.size());
   double sum = 0.0;
   for (int c = 0; c < here.layout.num_points(); ++c) {
-    problem_.evaluate(path.values(sigma(here.mesh, c)).point(), out);
+    const double rate =
+        formulas(problem_, path.values(sigma(here.mesh, c)).point()).front();
     sum += here.mesh.length(c / here.mesh.degree) *
-           scheme.rule.weights[at(c % here.mesh.degree)] * std::abs(out[0]);
+           scheme.rule.weights[at(c % here.mesh.degree)] * std::abs(rate);
   }
   constexpr double kLeast = 1e-300;  // of a problem that costs nothing
   return std::max({std::abs(here.cost), sum * path.duration(), kLeast});

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "brachisto/math/index.hpp"
+#include "posed/guess.hpp"
 
 namespace brachisto::ocp {
 
@@ -58,9 +59,7 @@ struct Evaluated {
 
 Evaluated evaluated(const Posed& problem, const std::vector<double>& yu,
                     const std::vector<double>& costates) {
-  std::vector<double> out(1 + costates.size() +
-                          problem.statement().limits.size());
-  problem.evaluate(yu, out);
+  const std::vector<double> out = formulas(problem, yu);
   Evaluated all{out[0], {}};
   for (std::size_t s = 0; s < costates.size(); ++s) {
     all.hamiltonian += costates[s] * out[s + 1];

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "brachisto/posed/problem.hpp"
-#include "posed/held.hpp"
+#include "posed/bounds.hpp"
 #include "posed/mesh_path.hpp"
 
 namespace brachisto::ocp {

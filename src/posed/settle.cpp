@@ -10,8 +10,8 @@
 #include "brachisto/math/index.hpp"
 #include "brachisto/solvers/program_solvers.hpp"
 #include "nlp/active_set.hpp"
+#include "posed/bounds.hpp"
 #include "posed/certificate.hpp"
-#include "posed/held.hpp"
 #include "solvers/square_system.hpp"
 
 namespace brachisto::ocp {

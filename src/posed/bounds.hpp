@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// Which bounds hold along a path.
+/// Which bounds hold along a path, and what the least cost changes by with them
+/// and with what is given.
 
 #pragma once
 
@@ -10,7 +11,9 @@
 
 #include "brachisto/nlp/problem.hpp"
 #include "brachisto/ocp/mesh.hpp"
+#include "brachisto/posed/problem.hpp"
 #include "nlp/active_set.hpp"
+#include "posed/mesh_path.hpp"
 
 namespace brachisto::ocp {
 
@@ -23,5 +26,14 @@ using HeldAlong = std::vector<std::vector<nlp::Held>>;
 [[nodiscard]] HeldAlong held_along(nlp::Problem& program,
                                    const PrimalDual& point, const Mesh& mesh,
                                    const Layout& layout, double between = 1e-4);
+
+/// What the variables' bounds leave: multipliers times distances, summed.
+[[nodiscard]] double left_by_bounds(const nlp::Problem& program,
+                                    const PrimalDual& point);
+
+/// From multipliers, in the problem's own units. The program has been moved to
+/// the point.
+void put_prices(const Posed& problem, nlp::Problem& program,
+                const MeshPath& path, const PrimalDual& point, Answer& answer);
 
 }  // namespace brachisto::ocp

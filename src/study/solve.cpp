@@ -25,7 +25,6 @@
 #include "study/answer.hpp"
 #include "study/blocking_limit.hpp"
 #include "study/certification.hpp"
-#include "study/limited_sample.hpp"
 #include "study/limited_shooting.hpp"
 #include "study/record.hpp"
 #include "study/shooting.hpp"

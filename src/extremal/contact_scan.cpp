@@ -6,18 +6,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <utility>
 
 #include "extremal/backward_path.hpp"
+#include "math/angle.hpp"
 #include "model/units.hpp"
 
 namespace brachisto {
 
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
+using math::kTurn;
 constexpr double kScanTolerance = 1e-7;
 constexpr double kPolishTolerance = 1e-10;
 // A root may lie so far outside of a triangle, in its own size: the map is not

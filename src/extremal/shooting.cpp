@@ -6,13 +6,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string_view>
 #include <utility>
 
 #include "extremal/arc_newton.hpp"
 #include "extremal/continuation.hpp"
+#include "math/enum_table.hpp"
 #include "model/cycloid.hpp"
 #include "model/inertia.hpp"
 #include "model/world_part.hpp"
@@ -20,7 +20,7 @@
 namespace brachisto {
 
 std::string_view describe(ExtremalStatus status) {
-  constexpr std::array<std::string_view, 12> kSentences{
+  constexpr auto kSentences = table_by<ExtremalStatus>(
       "solved to the accuracy asked for",
       "an extremal was found, with fewer digits than asked for",
       "a centred body has no smooth contact from which to start",
@@ -31,11 +31,8 @@ std::string_view describe(ExtremalStatus status) {
       "the extremal found has a loop, which is no track",
       "the body comes to rest on the extremal found",
       "the Hamiltonian is not minimal along the extremal found",
-      "the time allowed ran out",
-      "stopped from outside"};
-  static_assert(kSentences.size() ==
-                static_cast<std::size_t>(ExtremalStatus::Interrupted) + 1);
-  return kSentences.at(static_cast<std::size_t>(status));
+      "the time allowed ran out", "stopped from outside");
+  return kSentences[status];
 }
 
 namespace {

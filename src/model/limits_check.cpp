@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "model/limits_check.hpp"
+#include "model/scene_checker.hpp"
 
 #include <cmath>
 #include <limits>
@@ -21,8 +21,6 @@ constexpr const char* kEndSlope = "scene.contact.end_slope";
 constexpr const char* kLimits = "scene.limits";
 constexpr const char* kFriction = "scene.limits.friction";
 constexpr const char* kLeastForce = "scene.limits.normal_force.min";
-constexpr const char* kGreatestForce = "scene.limits.normal_force.max";
-constexpr const char* kHump = "scene.limits.curvature.hump";
 constexpr const char* kValley = "scene.limits.curvature.valley";
 constexpr const char* kFoldMargin = "scene.limits.fold_margin";
 constexpr const char* kFloor = "scene.limits.floor";

@@ -11,9 +11,7 @@
 
 #include "brachisto/model/body.hpp"
 #include "math/angle.hpp"
-#include "model/limits_check.hpp"
 #include "model/scene_checker.hpp"
-#include "model/world_check.hpp"
 
 namespace brachisto {
 

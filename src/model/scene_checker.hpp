@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// What the checks of validate() have in common.
+/// What the checks of validate() have in common, and those that are not in
+/// model/scene.cpp.
 
 #pragma once
 
@@ -91,5 +92,13 @@ class SceneChecker {
  private:
   std::vector<SceneError> errors_;
 };
+
+/// Refuses limits that are no limits, that no motion can keep to, or without
+/// which a contact leaves no fastest track. What numbers demand of each other
+/// is only asked where nothing else was refused.
+void check_limits(const Scene& scene, SceneChecker& check);
+
+/// Checks of validate() for scenes whose world is not ordinary.
+void check_world(const Scene& scene, SceneChecker& check);
 
 }  // namespace brachisto

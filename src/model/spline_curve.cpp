@@ -12,14 +12,13 @@
 #include <stdexcept>
 
 #include "brachisto/math/index.hpp"
+#include "math/angle.hpp"
 #include "model/cubic_spline.hpp"
 #include "model/plane_curve.hpp"
 
 namespace brachisto {
 
 namespace {
-
-constexpr double kTurn = 6.283185307179586;
 
 /// What the value of a spline means for one coordinate.
 struct Part {
@@ -97,7 +96,7 @@ class SplineCurve final : public PlaneCurve {
   static std::size_t at_knot(int i) { return brachisto::at(i); }
   /// The angle next to `near` of the same direction.
   static double continued(double near, double angle) {
-    return near + std::remainder(angle - near, kTurn);
+    return near + std::remainder(angle - near, math::kTurn);
   }
   [[nodiscard]] Parts parts(double q) const {
     const double t = Way::parameter(q);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "model/world_check.hpp"
+#include "model/scene_checker.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -119,14 +119,8 @@ using Figure = std::function<double(const TrajectoryPoint&)>;
 double normal_force(const TrajectoryPoint& p) {
   return p.motion.R_n;
 }
-double less_normal_force(const TrajectoryPoint& p) {
-  return -p.motion.R_n;
-}
 double curvature(const TrajectoryPoint& p) {
   return p.motion.kappa_b;
-}
-double less_curvature(const TrajectoryPoint& p) {
-  return -p.motion.kappa_b;
 }
 double fold_margin(const TrajectoryPoint& p) {
   return p.motion.fold_margin;
@@ -210,8 +204,9 @@ Extreme infimum(const Motion& motion, const Rows& rows, double at_start,
 }
 
 Extreme supremum(const Motion& motion, const Rows& rows, double at_start,
-                 const Figure& negative) {
-  Extreme extreme = infimum(motion, rows, -at_start, negative);
+                 const Figure& f) {
+  Extreme extreme = infimum(motion, rows, -at_start,
+                            [&](const TrajectoryPoint& p) { return -f(p); });
   extreme.value = -extreme.value;
   return extreme;
 }
@@ -283,13 +278,13 @@ PathDiagnostics Motion::diagnose() const {
   // The slope that a mesh finds at the start is not quite the one that it has
   // to be, and R_n next to it is off by as much as it is there.
   out.normal_force_error = std::abs(rows.front().motion.R_n - force);
-  out.max_normal_force = supremum(*this, rows, force, less_normal_force);
+  out.max_normal_force = supremum(*this, rows, force, normal_force);
   out.normal_force_after_rise = after_rise(*this, rows, force, normal_force);
   out.min_fold_margin =
       infimum(*this, rows, out.at_start.fold_margin, fold_margin);
   const double kappa = out.at_start.curvature;
   out.min_curvature = infimum(*this, rows, kappa, curvature);
-  out.max_curvature = supremum(*this, rows, kappa, less_curvature);
+  out.max_curvature = supremum(*this, rows, kappa, curvature);
   out.curvature_after_rise = after_rise(*this, rows, kappa, curvature);
   if (!(out.min_fold_margin.value > 0.0)) {
     out.min_curvature = {-kInfinity, out.min_fold_margin.x};

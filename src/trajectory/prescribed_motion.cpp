@@ -19,7 +19,6 @@
 #include "model/energy.hpp"
 #include "model/path_inequality.hpp"
 #include "trajectory/braking.hpp"
-#include "trajectory/gauss_step.hpp"
 
 namespace brachisto {
 

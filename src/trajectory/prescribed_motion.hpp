@@ -12,9 +12,29 @@
 #include <variant>
 #include <vector>
 
+#include "brachisto/math/polynomial_basis.hpp"
 #include "brachisto/trajectory/motion.hpp"
 #include "model/plane_curve.hpp"
-#include "trajectory/gauss_step.hpp"
+
+/// The Gauss rule by whose points motions on given paths advance.
+namespace brachisto::gauss_step {
+
+inline constexpr int kPoints = 12;
+
+/// On [0, 1].
+[[nodiscard]] inline const math::QuadratureRule& rule() {
+  static const math::QuadratureRule gauss = math::gauss_legendre(kPoints);
+  return gauss;
+}
+
+/// Row i integrates a polynomial given at the points, from 0 to point i.
+[[nodiscard]] inline const math::SmallMatrix& integration_to_points() {
+  static const math::SmallMatrix matrix =
+      math::LagrangeBasis(rule().points).integrals_to(rule().points, rule());
+  return matrix;
+}
+
+}  // namespace brachisto::gauss_step
 
 namespace brachisto {
 

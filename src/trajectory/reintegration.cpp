@@ -11,6 +11,7 @@
 
 #include "brachisto/math/clock.hpp"
 #include "brachisto/math/index.hpp"
+#include "math/enum_table.hpp"
 #include "model/energy.hpp"
 #include "model/field.hpp"
 #include "model/inertia.hpp"
@@ -243,15 +244,13 @@ Reintegration compared(const Journey<Path>& journey, MotionEnd end,
 }  // namespace
 
 std::string_view describe(MotionEnd end) {
-  constexpr std::array<std::string_view, 5> kSentences{
+  constexpr auto kSentences = table_by<MotionEnd>(
       "the body reaches the end of the path",
       "the body comes to rest on its way",
       "between the nodes no slope makes 𝓗 minimal, so that there is no path",
       "the path bends too sharply to be integrated along",
-      "the motion takes more steps of integration than allowed"};
-  static_assert(kSentences.size() ==
-                static_cast<std::size_t>(MotionEnd::TooManySteps) + 1);
-  return kSentences.at(static_cast<std::size_t>(end));
+      "the motion takes more steps of integration than allowed");
+  return kSentences[end];
 }
 
 double Reintegration::worst() const {

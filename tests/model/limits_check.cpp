@@ -3,7 +3,7 @@
 
 // What validate() says of limits and of the contacts that need them.
 
-#include "model/limits_check.hpp"
+#include "model/scene_checker.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

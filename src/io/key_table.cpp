@@ -276,13 +276,13 @@ Binding world_number(std::size_t row) {
       .put =
           [](Draft& p, double value, Binding::Row i) {
             const WorldParameter& parameter = kWorldParameters[i];
-            World& world = p.scene.world;
+            World& into = p.scene.world;
             for (const FieldKind& kind : kFieldKinds) {
-              if (below(parameter.key, kind.key) && !kind.stands_in(world)) {
-                kind.put_into(world);
+              if (below(parameter.key, kind.key) && !kind.stands_in(into)) {
+                kind.put_into(into);
               }
             }
-            *parameter.find_in(world) = value;
+            *parameter.find_in(into) = value;
           },
       .row = row};
 }

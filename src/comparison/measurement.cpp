@@ -90,9 +90,9 @@ const char* name(Measurement::Outcome outcome) {
 
 std::vector<double> Measurement::on_mesh() const {
   if (start.size() != cpu.size()) return {};
-  std::vector<double> seconds(cpu.size());
-  std::ranges::transform(cpu, start, seconds.begin(), std::minus<>{});
-  return seconds;
+  std::vector<double> times(cpu.size());
+  std::ranges::transform(cpu, start, times.begin(), std::minus<>{});
+  return times;
 }
 
 std::string refusal_in(const std::string& document,

@@ -276,13 +276,13 @@ Binding world_number(std::size_t row) {
       .put =
           [](Draft& p, double value, Binding::Row i) {
             const WorldParameter& parameter = kWorldParameters[i];
-            World& place = p.scene.world;
+            World& into = p.scene.world;
             for (const FieldKind& kind : kFieldKinds) {
-              if (below(parameter.key, kind.key) && !kind.stands_in(place)) {
-                kind.put_into(place);
+              if (below(parameter.key, kind.key) && !kind.stands_in(into)) {
+                kind.put_into(into);
               }
             }
-            *parameter.find_in(place) = value;
+            *parameter.find_in(into) = value;
           },
       .row = row};
 }

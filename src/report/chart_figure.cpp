@@ -219,12 +219,12 @@ class Drawing {
   }
 
   [[nodiscard]] PlotPixels pixels() const {
-    const auto side = [](const Side& side, const Extent& range, double length) {
+    const auto axis = [](const Side& side, const Extent& range, double length) {
       return PixelScale{range.low, range.high, 0.0, length,
                         side.scale == Scale::Logarithmic};
     };
-    PlotPixels out{side(chart_.x, x_, kPlotWidth),
-                   side(chart_.y, y_, plot_height_)};
+    PlotPixels out{axis(chart_.x, x_, kPlotWidth),
+                   axis(chart_.y, y_, plot_height_)};
     if (!chart_.y_down) std::swap(out.y.from, out.y.to);
     return out;
   }

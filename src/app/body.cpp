@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 #include <memory>
 
-#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>

@@ -10,11 +10,9 @@
 #include <algorithm>
 #include <map>
 #include <sstream>
-#include <string_view>
 #include <thread>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 #include "app/verbs.hpp"
 #include "io/findings.hpp"

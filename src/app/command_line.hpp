@@ -64,9 +64,6 @@ struct Flag {
   [[nodiscard]] bool has_value() const {
     return !std::holds_alternative<bool*>(value);
   }
-  [[nodiscard]] bool repeats() const {
-    return std::holds_alternative<std::vector<std::string>*>(value);
-  }
 };
 
 /// Flags of several verbs: --json; --markdown in its place; --jobs, 0 unless it

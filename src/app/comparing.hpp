@@ -13,7 +13,6 @@
 #include "app/signals.hpp"
 #include "app/terminal.hpp"
 #include "app/verbs.hpp"
-#include "comparison/methods.hpp"
 #include "comparison/pages.hpp"
 
 namespace brachisto::app {

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <limits>
 #include <memory>
 #include <string>
@@ -23,7 +22,6 @@
 #include "brachisto/math/clock.hpp"
 #include "brachisto/report/result.hpp"
 #include "fit/fit_report.hpp"
-#include "fit/track.hpp"
 #include "io/input_tree.hpp"
 #include "io/visible_text.hpp"
 #include "io/yaml_writer.hpp"

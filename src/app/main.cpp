@@ -13,7 +13,6 @@
 #include <new>
 #include <string_view>
 #include <system_error>
-#include <utility>
 #include <variant>
 
 #include "app/command_line.hpp"

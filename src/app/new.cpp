@@ -22,6 +22,7 @@
 #include "io/key_spec.hpp"
 #include "io/visible_text.hpp"
 #include "report/letters.hpp"
+#include "report/rich_text.hpp"
 
 namespace brachisto::app {
 
@@ -240,15 +241,7 @@ std::string shell_word(std::string_view text) {
   if (!text.empty() && text.find_first_not_of(kPlain) == text.npos) {
     return std::string(text);
   }
-  std::string out = "'";
-  for (const char c : text) {
-    if (c == '\'') {
-      out += "'\\''";
-    } else {
-      out += c;
-    }
-  }
-  return out + "'";
+  return "'" + report::replaced(text, "'", "'\\''") + "'";
 }
 
 int write_new(const NewFlags& flags) {

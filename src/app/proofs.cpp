@@ -9,13 +9,11 @@
 #include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <string>
 
 #include "app/exit_code.hpp"
 #include "app/solution_output.hpp"
 #include "app/terminal.hpp"
 #include "brachisto/io/problem_file.hpp"
-#include "brachisto/report/result.hpp"
 #include "io/input_tree.hpp"
 #include "math/cpu_clock.hpp"
 #include "proof/certificate.hpp"

@@ -3,8 +3,6 @@
 
 // brachisto show DIR: the page of a result that was written before.
 
-#include <fmt/format.h>
-
 #include <cstdint>
 #include <filesystem>
 #include <memory>

@@ -18,7 +18,6 @@
 #include "app/signals.hpp"
 #include "app/terminal.hpp"
 #include "brachisto/math/clock.hpp"
-#include "brachisto/report/result.hpp"
 #include "plot/answer_page.hpp"
 #include "plot/motion_data.hpp"
 #include "report/path_figure.hpp"

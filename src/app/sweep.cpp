@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 #include <memory>
 
-#include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -19,7 +18,6 @@
 #include "brachisto/report/result.hpp"
 #include "io/visible_text.hpp"
 #include "math/wall_clock.hpp"
-#include "report/provenance.hpp"
 #include "sweep/directory_lock.hpp"
 #include "sweep/manager.hpp"
 #include "sweep/outcome.hpp"

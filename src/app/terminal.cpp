@@ -11,7 +11,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
-#include <string>
 #include <system_error>
 
 #include "io/visible_text.hpp"

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <variant>
 
-#include "brachisto/io/problem_file.hpp"
 #include "comparison/methods.hpp"
 #include "io/input_tree.hpp"
 #include "study/pose.hpp"
@@ -81,22 +80,29 @@ bool Subject::limited() const {
   return is_limited(problem.scene);
 }
 
-std::vector<Referee> referees_of(const Subject& subject) {
+FoundReference find_reference(
+    const Subject& subject,
+    const std::function<Measurement(const Referee&)>& run) {
   constexpr double kTolerance = 1e-12;
-  std::vector<Referee> all{
+  std::vector<Referee> referees{
       {{.kind = Kind::Extremal}, {}, "the extremal method"}};
   if (subject.limited()) {
-    all.push_back(
+    referees.push_back(
         {{.kind = Kind::Adaptive}, kTolerance, "rolling_time to 1e-12"});
   }
-  return all;
-}
-
-std::string no_reference(const Referee& referee, const Measurement& run) {
-  return fmt::format(
-      "{} {}: {}", referee.name,
-      run.solved() ? "is not verified" : std::string(name(run.outcome)),
-      run.cause);
+  FoundReference found;
+  for (const Referee& referee : referees) {
+    const Measurement made = run(referee);
+    found.reference = referee.reference_in(made);
+    if (found.reference) {
+      found.reference->instead_of = found.why_not;
+      break;
+    }
+    found.why_not += fmt::format(
+        "{}{} {}: {}", found.why_not.empty() ? "" : "; ", referee.name,
+        made.solved() ? "is not verified" : name(made.outcome), made.cause);
+  }
+  return found;
 }
 
 std::optional<Reference> Referee::reference_in(const Measurement& run) const {
@@ -133,20 +139,13 @@ MethodComparison compare_methods(const Subject& subject,
                                 hooks.interrupt)});
     return out.rows.back().run;
   };
-  std::string without;
-  for (const Referee& referee : referees_of(subject)) {
-    const Measurement made =
-        run(referee.tolerance ? referee.name : label(referee.method),
-            referee.method,
-            options_of(referee.method, {.tolerance = referee.tolerance},
-                       subject.problem.options));
-    out.reference = referee.reference_in(made);
-    if (out.reference) {
-      out.reference->instead_of = without;
-      break;
-    }
-    without += (without.empty() ? "" : "; ") + no_reference(referee, made);
-  }
+  out.reference =
+      find_reference(subject, [&](const Referee& referee) {
+        return run(referee.tolerance ? referee.name : label(referee.method),
+                   referee.method,
+                   options_of(referee.method, {.tolerance = referee.tolerance},
+                              subject.problem.options));
+      }).reference;
   for (const Contender& one :
        contenders(subject, options.nodes, options.residual)) {
     (void)run(one.label, one.method, one.options);

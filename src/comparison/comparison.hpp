@@ -60,15 +60,18 @@ struct Referee {
   [[nodiscard]] std::optional<Reference> reference_in(
       const Measurement& run) const;
 };
-/// The first one that has a reference is asked no further: the extremal method,
-/// which under limits begins on the arcs that rolling_time found and solves
-/// other equations there; under limits rolling_time to 1e-12 after it.
-[[nodiscard]] std::vector<Referee> referees_of(const Subject& subject);
-
-/// Why a run is no reference: "the extremal method failed: …".
-[[nodiscard]] std::string no_reference(const Referee& referee,
-                                       const Measurement& run);
-
+/// A reference, or why there is none: "the extremal method failed: …".
+struct FoundReference {
+  std::optional<Reference> reference = {};
+  std::string why_not = {};
+};
+/// The reference of the first who has one: the extremal method, which under
+/// limits begins on the arcs that rolling_time found and solves other equations
+/// there; under limits rolling_time to 1e-12 after it.
+/// \param run  what a referee makes of the subject
+[[nodiscard]] FoundReference find_reference(
+    const Subject& subject,
+    const std::function<Measurement(const Referee&)>& run);
 /// Relative error of a solution, |τ/τ_ref − 1|.
 [[nodiscard]] double error_of(const Measurement& run,
                               const Reference& reference);

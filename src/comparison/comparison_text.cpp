@@ -1,28 +1,74 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
+#include "comparison/comparison_text.hpp"
+
 #include <fmt/format.h>
 #include <sys/utsname.h>
 
+#include <algorithm>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "brachisto/report/result.hpp"
-#include "comparison/comparison.hpp"
-#include "comparison/comparison_rows.hpp"
 #include "comparison/finding.hpp"
-#include "comparison/measurement_text.hpp"
 #include "comparison/methods.hpp"
-#include "comparison/work_precision.hpp"
+#include "comparison/statistics.hpp"
+#include "report/letters.hpp"
 #include "report/provenance.hpp"
-#include "report/text_table.hpp"
+#include "report/result_field.hpp"
 
 namespace brachisto::comparison {
 
-using Json = nlohmann::ordered_json;
+using report::Json;
+using report::memory_text;
+using report::or_dash;
+using report::or_null;
+using report::Rows;
+using report::seconds_text;
 
 namespace {
+
+/// "1.6e-06", or that it is less than the reference can tell.
+std::string error_text(double error, const Reference& reference) {
+  return error < reference.error ? fmt::format("< {:.1e}", reference.error)
+                                 : fmt::format("{:.1e}", error);
+}
+
+/// As far as the reference tells; without one as the method itself sees its
+/// error.
+std::string tau_text(const ComparisonRow& row,
+                     const std::optional<Reference>& reference) {
+  const double tau = row.run.tau;
+  const double error = row.error && reference
+                           ? std::max(*row.error, reference->error)
+                           : row.run.estimated_error.value_or(0.0);
+  return report::within_error(tau, error * tau);
+}
+
+std::string remark(const PrecisionPoint& point) {
+  if (point.run.solved()) return "";
+  constexpr std::size_t kLetters = 72;  // the document has it in full
+  return report::shortened(
+      fmt::format("{}: {}", name(point.run.outcome), point.run.cause),
+      kLetters);
+}
+
+std::string order_text(const std::optional<ObservedOrder>& order) {
+  if (!order) return "—";
+  return order->uncertainty
+             ? fmt::format("{:.2f} ± {:.2f}", order->order, *order->uncertainty)
+             : fmt::format("{:.2f}", order->order);
+}
+
+Json spread_json(const std::vector<double>& seconds) {
+  if (seconds.empty()) return nullptr;
+  const Spread spread = spread_of(seconds);
+  return {{"median", spread.median},
+          {"least", spread.least},
+          {"greatest", spread.greatest},
+          {"all", seconds}};
+}
 
 std::string cpu_model() {
   std::ifstream info("/proc/cpuinfo");
@@ -113,6 +159,101 @@ Json line_json(const PrecisionLine& line) {
 }
 
 }  // namespace
+
+std::string reference_text(const Reference& reference) {
+  return fmt::format(
+      "τ = {} by {}",
+      report::with_error(reference.tau, reference.error * reference.tau),
+      reference.by);
+}
+
+Rows point_rows(const WorkPrecision& found) {
+  Rows rows{{"method", "mesh or wanted", "unknowns", "CPU [s]",
+             "least – greatest", "of it the start", "iterations", "memory",
+             "error", "remark"}};
+  for (const PrecisionLine& line : found.lines) {
+    for (const PrecisionPoint& point : line.points) {
+      const Measurement& run = point.run;
+      std::vector<std::string> times{"—", "—"};
+      if (!run.cpu.empty()) {
+        const Spread spread = spread_of(run.cpu);
+        times = {seconds_text(spread.median),
+                 fmt::format("{} – {}", seconds_text(spread.least),
+                             seconds_text(spread.greatest))};
+      }
+      rows.push_back(
+          {label(line.method),
+           text(point.fineness).empty() ? "—" : text(point.fineness),
+           or_dash(run.unknowns), times[0], times[1],
+           run.start.empty() ? "—" : seconds_text(spread_of(run.start).median),
+           iterations_text(run), memory_text(run.peak_memory),
+           point.error ? error_text(*point.error, found.reference) : "—",
+           remark(point)});
+    }
+  }
+  return rows;
+}
+
+Rows order_rows(const WorkPrecision& found) {
+  Rows rows{{"method", "promised", "observed order", "finest two", "meshes",
+             "why there is none"}};
+  for (const PrecisionLine& line : found.lines) {
+    if (!has_meshes(line.method)) continue;
+    const std::optional<ObservedOrder>& order = line.order.order;
+    rows.push_back(
+        {label(line.method),
+         or_dash(promised_order(line.method, found.subject.limited())),
+         order_text(order), order ? fmt::format("{:.2f}", order->finest) : "—",
+         order ? fmt::format("{} of {}, {} to {}", order->points,
+                             line.points.size(), order->first, order->last)
+               : fmt::format("0 of {}", line.points.size()),
+         line.order.why_not});
+  }
+  return rows;
+}
+
+Rows method_rows(const MethodComparison& made) {
+  constexpr std::size_t kVerdict = 72;  // letters; the document has it in full
+  Rows rows{{"method", "unknowns", "CPU [s]", "iterations", "evaluations",
+             "memory", "τ", "error", "verdict"}};
+  for (const ComparisonRow& row : made.rows) {
+    const Measurement& run = row.run;
+    rows.push_back(
+        {row.label, or_dash(run.unknowns),
+         run.cpu.empty() ? "—" : seconds_text(spread_of(run.cpu).median),
+         iterations_text(run), or_dash(run.evaluations),
+         memory_text(run.peak_memory),
+         run.solved() ? tau_text(row, made.reference) : "—",
+         row.error ? error_text(*row.error, *made.reference) : "—",
+         report::shortened(verdict(row), kVerdict)});
+  }
+  return rows;
+}
+
+Json document_of(const Measurement& run) {
+  Json json = {{"outcome", name(run.outcome)},
+               {"cause", run.cause.empty() ? Json() : Json(run.cause)},
+               {"tau", run.solved() ? Json(run.tau) : Json()},
+               {"verified", run.solved() && run.verified},
+               {"estimated_error", or_null(run.estimated_error)}};
+  json["cpu_seconds"] = spread_json(run.cpu);
+  json["start_cpu_seconds"] = spread_json(run.start);
+  json["mesh_cpu_seconds"] = spread_json(run.on_mesh());
+  json["unknowns"] = or_null(run.unknowns);
+  json["iterations"] = or_null(run.iterations);
+  json["newton_steps"] = or_null(run.newton_steps);
+  json["evaluations"] = or_null(run.evaluations);
+  json["peak_memory_bytes"] = run.peak_memory;
+  json["process_seconds"] = run.seconds;
+  return json;
+}
+
+std::string iterations_text(const Measurement& run) {
+  const int steps = run.newton_steps.value_or(0);
+  if (steps == 0) return report::or_dash(run.iterations);
+  if (run.iterations.value_or(0) == 0) return fmt::format("+ {}", steps);
+  return fmt::format("{} + {}", *run.iterations, steps);
+}
 
 Machine this_machine() {
   return {cpu_model(), kernel(),

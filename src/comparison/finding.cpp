@@ -4,6 +4,7 @@
 #include "comparison/finding.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -189,11 +190,10 @@ std::string in_a_sentence(const std::vector<Party>& parties, double error) {
                            "do not take such a scene"));
   }
   if (parts.empty()) return "Nothing was measured.";
-  std::string out;
-  for (const std::string& part : parts) out += (out.empty() ? "" : "; ") + part;
+  std::string out = fmt::format("{}.", fmt::join(parts, "; "));
   // The name of a method stays as it is written: "fsolve finds no answer".
   if (out.starts_with("the ")) out[0] = 'T';
-  return out + ".";
+  return out;
 }
 
 }  // namespace brachisto::comparison

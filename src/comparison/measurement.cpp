@@ -4,6 +4,7 @@
 #include "comparison/measurement.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +14,7 @@
 
 #include "brachisto/report/result.hpp"
 #include "math/enum_table.hpp"
+#include "plot/result_values.hpp"
 #include "process/child_process.hpp"
 
 namespace brachisto::comparison {
@@ -25,18 +27,8 @@ constexpr int kBadInput = 3;  // exit code of a problem that is refused
 
 template <class Value>
 std::optional<Value> value_at(const Json& json, const char* key) {
-  if (!json.contains(key) || json[key].is_null()) return std::nullopt;
-  return json[key].get<Value>();
-}
-
-/// The reasons of a list, one after the other.
-std::string joined(const Json& json, const char* key) {
-  std::string text;
-  if (!json.contains(key) || !json[key].is_array()) return text;
-  for (const Json& reason : json[key]) {
-    text += (text.empty() ? "" : "; ") + reason.get<std::string>();
-  }
-  return text;
+  const Json& value = plot::at(json, key);
+  return value.is_null() ? std::nullopt : std::optional(value.get<Value>());
 }
 
 Measurement from_document(const Json& json) {
@@ -57,14 +49,15 @@ Measurement from_document(const Json& json) {
     out.tau = *tau;
     out.verified = result.at("verified").get<bool>();
     out.estimated_error = value_at<double>(result, "estimated_error");
-    if (result.contains("certificate") && result["certificate"].is_object()) {
-      out.energy_drift =
-          value_at<double>(result["certificate"], "energy_drift");
-    }
+    out.energy_drift =
+        value_at<double>(plot::at(result, "certificate"), "energy_drift");
     for (const Json& at : json.value("path", Json::array())) {
       out.path.push_back({at.at(0).get<double>(), at.at(1).get<double>()});
     }
-    if (!out.verified) out.cause = joined(result, "not_verified_because");
+    if (!out.verified) {
+      out.cause = fmt::format(
+          "{}", fmt::join(plot::words(result, "not_verified_because"), "; "));
+    }
     return out;
   }
   const auto status = result.at("status").get<std::string>();
@@ -97,15 +90,13 @@ std::vector<double> Measurement::on_mesh() const {
 
 std::string refusal_in(const std::string& document,
                        const std::string& otherwise) {
-  std::string reasons;
+  std::vector<std::string> reasons;
   const Json json = Json::parse(document, nullptr, false);
-  if (json.is_object() && json.contains("errors")) {
-    for (const Json& error : json["errors"]) {
-      reasons +=
-          (reasons.empty() ? "" : "; ") + error.value("message", std::string());
-    }
+  for (const Json& error : plot::at(json, "errors")) {
+    reasons.push_back(plot::text_of(error, "message"));
   }
-  return reasons.empty() ? first_line(otherwise) : reasons;
+  return reasons.empty() ? first_line(otherwise)
+                         : fmt::format("{}", fmt::join(reasons, "; "));
 }
 
 Measurement parse_measurement(const std::string& line) {

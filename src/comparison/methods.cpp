@@ -7,7 +7,6 @@
 
 #include <algorithm>
 
-#include "brachisto/run/solve_options.hpp"
 #include "math/enum_table.hpp"
 
 namespace brachisto::comparison {

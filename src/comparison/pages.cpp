@@ -10,11 +10,12 @@
 #include <utility>
 
 #include "brachisto/version.hpp"
-#include "comparison/comparison_rows.hpp"
+#include "comparison/comparison_text.hpp"
 #include "comparison/finding.hpp"
 #include "comparison/methods.hpp"
 #include "comparison/pictures.hpp"
 #include "comparison/statistics.hpp"
+#include "plot/web_parts.hpp"
 #include "report/page.hpp"
 #include "report/rich_text.hpp"
 #include "report/scale.hpp"
@@ -121,7 +122,9 @@ std::string how_measured(const std::optional<Reference>& reference,
 report::GrowingPage page_of(const std::string& sentence, const Subject& subject,
                             const std::atomic<int>* interrupt) {
   report::GrowingPage page(interrupt);
-  page += report::page_head(xml_escaped(sentence));
+  const std::string title = xml_escaped(sentence);
+  page += report::document_head(title, {plot::kDocumentStyle});
+  page += fmt::format("<h1>{}</h1>\n", title);
   page += fmt::format("<p class=\"about\">{}.</p>\n",
                       report::html_words(in_words(subject)));
   return page;

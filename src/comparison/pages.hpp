@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/report/result.hpp"
 #include "comparison/comparison.hpp"
 #include "comparison/work_precision.hpp"
 #include "report/figure.hpp"

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "brachisto/io/problem_file.hpp"
-#include "comparison/measurement_text.hpp"
+#include "comparison/comparison_text.hpp"
 #include "comparison/statistics.hpp"
 
 namespace brachisto::comparison {

@@ -3,14 +3,11 @@
 
 #include "comparison/work_precision.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <functional>
 #include <limits>
 
 #include "comparison/measurement.hpp"
-#include "comparison/methods.hpp"
 
 namespace brachisto::comparison {
 
@@ -19,20 +16,6 @@ namespace {
 /// Runs a method for one point.
 using Run = std::function<Measurement(
     const ComparedMethod& method, const Fineness& fineness, int repetitions)>;
-
-Reference find_reference(const std::vector<Referee>& referees, const Run& run) {
-  std::string without;
-  for (const Referee& referee : referees) {
-    const Measurement made =
-        run(referee.method, {.tolerance = referee.tolerance}, 1);
-    if (auto found = referee.reference_in(made)) {
-      found->instead_of = without;
-      return *std::move(found);
-    }
-    without += (without.empty() ? "" : "; ") + no_reference(referee, made);
-  }
-  throw NoReference("there is no reference to take errors against; " + without);
-}
 
 /// A method that refuses one mesh refuses the scene, and is asked no more.
 PrecisionLine line_of(const ComparedMethod& method, const WorkPrecision& all,
@@ -92,7 +75,15 @@ WorkPrecision run_work_precision(const Subject& subject,
                     repetitions, plan.seconds_per_point},
                    hooks.interrupt);
   };
-  WorkPrecision out{subject, plan, find_reference(referees_of(subject), run)};
+  const FoundReference found =
+      find_reference(subject, [&](const Referee& referee) {
+        return run(referee.method, {.tolerance = referee.tolerance}, 1);
+      });
+  if (!found.reference) {
+    throw NoReference("there is no reference to take errors against; " +
+                      found.why_not);
+  }
+  WorkPrecision out{subject, plan, *found.reference};
   for (const ComparedMethod& method : plan.methods) {
     if (subject.limited() && method.kind == ComparedMethod::Kind::Extremal) {
       out.left_out.push_back(

@@ -6,7 +6,6 @@
 
 #pragma once
 
-#include <atomic>
 #include <optional>
 #include <stdexcept>
 #include <string>

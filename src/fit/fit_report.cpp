@@ -8,23 +8,20 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 
 #include "report/chart.hpp"
 #include "report/provenance.hpp"
+#include "report/result_field.hpp"
 #include "report/text_table.hpp"
 
 namespace brachisto::fit {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using report::Json;
+using report::or_null;
 
 constexpr double kMilli = 1e3;  // per second
-
-Json or_null(const std::optional<double>& value) {
-  return value ? Json(*value) : Json();
-}
 
 /// The digits that two of the error leave.
 std::string digits_of(double value, double error) {

@@ -11,11 +11,17 @@
 #include <string>
 #include <vector>
 
+#include "brachisto/trajectory/motion.hpp"
 #include "fit/measurements.hpp"
 #include "fit/parameters.hpp"
 #include "model/plane_curve.hpp"
 
 namespace brachisto::fit {
+
+/// The path of the centre of a motion as a curve of its own, on which other
+/// bodies may be put: through a fine sample of it, to the fourth order where
+/// its curvature is smooth.
+[[nodiscard]] PlaneCurvePtr held_path(const Motion& motion);
 
 /// Times do not tell what is asked of them; what() says why.
 class CannotFit : public std::runtime_error {

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -26,6 +25,7 @@ namespace {
 
 constexpr std::string_view kS = "s", kX = "x", kT = "t", kSigma = "sigma";
 constexpr std::array kColumns{kS, kX, kT, kSigma};
+constexpr std::string_view kBlanks = " \t";
 constexpr std::string_view kHead =
     "a line with the columns s or x, t and, if "
     "known, sigma, as in s,t,sigma";
@@ -37,13 +37,6 @@ std::string_view unit_of(std::string_view column) {
 [[noreturn]] void refuse(const std::string& file, int line, int column,
                          std::string_view key, const std::string& message) {
   throw io::InputError({{file, line, column, std::string(key), message}});
-}
-
-std::string_view without_blanks(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t";
-  const std::size_t first = text.find_first_not_of(kBlanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
 }
 
 /// A cell and where it begins.
@@ -67,7 +60,7 @@ std::vector<std::string_view> columns_of(std::string_view line,
                                          const std::string& file) {
   std::vector<std::string_view> columns;
   for (const Cell& cell : cells_of(line)) {
-    const std::string_view name = without_blanks(cell.text);
+    const std::string_view name = io::trimmed(cell.text, kBlanks);
     const int column = static_cast<int>(cell.column);
     if (std::ranges::find(kColumns, name) == kColumns.end()) {
       refuse(file, 1, column, "", io::unknown_word(name, kHead, kColumns));
@@ -178,7 +171,7 @@ Measurements read_measurements_text(std::string_view text,
   out.by_x = std::ranges::find(columns, kX) != columns.end();
   for (int number = 2; !text.empty(); ++number) {
     const std::string_view line = io::take_line(text);
-    if (without_blanks(line).empty()) continue;
+    if (io::trimmed(line, kBlanks).empty()) continue;
     if (out.rows.size() == kMostRows) {
       refuse(name, number, 1, "",
              fmt::format("one row too many; {} are allowed", kMostRows));

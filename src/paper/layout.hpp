@@ -9,7 +9,6 @@
 #pragma once
 
 #include <cmath>
-#include <cstddef>
 #include <span>
 
 #include "brachisto/math/index.hpp"

@@ -23,7 +23,6 @@
 #include "report/scale.hpp"
 #include "report/text_table.hpp"
 #include "report/track_kind.hpp"
-#include "trajectory/grip.hpp"
 
 namespace brachisto::plot {
 
@@ -262,12 +261,7 @@ std::string row(std::string_view name, const std::string& value) {
 std::string judged(const Json& result) {
   if (!is_true(result, "verified")) return "not verified";
   if (is_true(result, "feasible")) return "verified, feasible";
-  std::string out = "verified, infeasible";
-  const std::vector<std::string> reasons = words(result, "infeasible_because");
-  for (std::size_t i = 0; i < reasons.size(); ++i) {
-    out += (i == 0 ? ": " : "; ") + symbols_html(reasons[i]);
-  }
-  return out;
+  return "verified, infeasible" + reasons_html(result, "infeasible_because");
 }
 
 std::string figure_rows(const Json& result, const Scene& scene) {
@@ -279,12 +273,8 @@ std::string figure_rows(const Json& result, const Scene& scene) {
   if (scene.body.rolls() && std::isfinite(turned)) {
     out += row("the body turns", printed(math::in_degrees(turned)) + "°");
   }
-  if (const auto force = result.find("normal_force");
-      force != result.end() && force->is_object()) {
-    out += row(symbols_html("normal force R_n"),
-               fmt::format("{} to {} m g",
-                           printed(told_force(number(*force, "min")), 4),
-                           printed(number(*force, "max"), 4)));
+  if (const std::string force = force_text(result); !force.empty()) {
+    out += row(symbols_html("normal force R_n"), force);
   }
   return out + row("verdict", judged(result));
 }
@@ -323,13 +313,7 @@ std::string failure_card(const Json& result) {
 }
 
 std::string race_card(const std::vector<Racer>& racers) {
-  Box box = motion_box(racers.front().table, racers.front().scene.body);
-  for (const Racer& racer : racers) {
-    const Box its = motion_box(racer.table, racer.scene.body);
-    box.include(its.low, 0.0);
-    box.include(its.high, 0.0);
-  }
-  Drawing drawing(box);
+  Drawing drawing(motion_box(racers));
   drawing.axes();
   std::string rows;
   for (std::size_t i = 0; i < racers.size(); ++i) {

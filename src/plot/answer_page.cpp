@@ -8,14 +8,15 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "math/angle.hpp"
-#include "plot/answer_drawings.hpp"
 #include "plot/answer_tables.hpp"
 #include "plot/motion_data.hpp"
 #include "plot/result_values.hpp"
@@ -26,6 +27,7 @@
 #include "report/text_table.hpp"
 #include "report/track_kind.hpp"
 #include "trajectory/grip.hpp"
+#include "transcription/rolling_time.hpp"
 
 namespace brachisto::plot {
 
@@ -45,15 +47,11 @@ std::string slope(double radians) {
 /// Whether it is of a design none of whose bodies has grip enough; `feasible`
 /// of a result does not ask for that, and that of a minimum does.
 bool lacks_grip(const Json& result) {
-  const auto design = result.find("design");
-  if (design == result.end() || !design->is_object()) return false;
-  const auto values = design->find("values");
-  const bool has_best = values != design->end() && !values->is_null();
-  const auto minima = design->find("minima");
-  return !has_best && minima != design->end() && minima->is_array() &&
-         !minima->empty() && std::ranges::none_of(*minima, [](const Json& one) {
-           return is_true(one, "feasible");
-         });
+  const Json& design = at(result, "design");
+  const Json& minima = at(design, "minima");
+  return at(design, "values").is_null() && !minima.empty() &&
+         std::ranges::none_of(
+             minima, [](const Json& one) { return is_true(one, "feasible"); });
 }
 
 /// How many of the checks there are passed.
@@ -70,37 +68,30 @@ Checks checks_of(const Json& result) {
 }
 
 std::string verdict(const Json& result) {
-  const auto list = [](const std::string& first,
-                       const std::vector<std::string>& reasons) {
-    std::string out = first;
-    for (std::size_t i = 0; i < reasons.size(); ++i) {
-      out += (i == 0 ? ": " : "; ") + symbols_html(reasons[i]);
-    }
-    return out + ".";
+  const auto list = [&](const std::string& first, std::string_view key) {
+    return first + reasons_html(result, key) + ".";
   };
   const auto [passed, checks] = checks_of(result);
   const bool verified = is_true(result, "verified");
   const bool feasible = is_true(result, "feasible");
   const bool for_want_of_grip = verified && feasible && lacks_grip(result);
-  const std::vector<std::string> undecided = words(result, "undecided_because");
+  const bool undecided =
+      feasible && !for_want_of_grip && !at(result, "undecided_because").empty();
   std::string out = fmt::format(
       "<p class=\"verdict {}\">{} {}</p>\n",
       verified && feasible && !for_want_of_grip ? "good" : "bad",
       list(fmt::format("{}, {} of {} checks passed",
                        verified ? "Verified" : "Not verified", passed, checks),
-           words(result, "not_verified_because")),
-      undecided.empty() || for_want_of_grip
-          ? list(!feasible ? "Infeasible"
-                 : for_want_of_grip
-                     ? "Infeasible for want of the grip that is asked for"
-                 : result.at("scene").at("body").at("shape") == "bead"
-                     ? "Feasible: a bead is held from both sides"
-                     : "Feasible: the body presses on the track all the way, "
-                       "and the track does not fold",
-                 words(result, "infeasible_because"))
-          : list(feasible ? "Feasible within the error of this mesh"
-                          : "Infeasible",
-                 feasible ? undecided : words(result, "infeasible_because")));
+           "not_verified_because"),
+      list(!feasible ? "Infeasible"
+           : for_want_of_grip
+               ? "Infeasible for want of the grip that is asked for"
+           : undecided ? "Feasible within the error of this mesh"
+           : result.at("scene").at("body").at("shape") == "bead"
+               ? "Feasible: a bead is held from both sides"
+               : "Feasible: the body presses on the track all the way, and the "
+                 "track does not fold",
+           undecided ? "undecided_because" : "infeasible_because"));
   for (const std::string& warning : words(result, "warnings")) {
     out += fmt::format("<p>{}</p>\n", xml_escaped(warning));
   }
@@ -110,9 +101,7 @@ std::string verdict(const Json& result) {
 /// The friction needed after shares of the time; empty for a bead.
 std::vector<LeastGrip> grip_of(const Json& result) {
   std::vector<LeastGrip> out;
-  const Json::json_pointer list("/grip/least_after");
-  if (!result.contains(list)) return out;
-  for (const Json& one : result.at(list)) {
+  for (const Json& one : at(at(result, "grip"), "least_after")) {
     const double mu = number(one, "mu");
     out.push_back(
         {number(one, "share_of_time"),
@@ -139,12 +128,8 @@ std::string numbers(const Json& result, const TrajectoryTable& table) {
                                slope(number(result, "end_angle")));
   const double rotation = number(result, "rotation");
   if (std::isfinite(rotation)) add("the body turns", degrees(rotation));
-  const auto force = result.find("normal_force");
-  if (force != result.end() && force->is_object()) {
-    add(symbols_html("normal force R_n"),
-        fmt::format("{} to {} m g",
-                    printed(told_force(number(*force, "min")), 4),
-                    printed(number(*force, "max"), 4)));
+  if (const std::string force = force_text(result); !force.empty()) {
+    add(symbols_html("normal force R_n"), force);
   }
   return out + "</dl>\n";
 }
@@ -171,12 +156,12 @@ std::string key(const Scene& scene, const Json& result) {
   add("lift", symbols_html("R_n ≤ 0: here the body would lift off"),
       " id=\"lift-key\" hidden=\"hidden\"");
   std::size_t band = 0;
-  for (const Json& limit : result.value("limits", Json::array())) {
-    if (limit.value("active", Json::array()).empty()) continue;
+  for (const Json& limit : at(result, "limits")) {
+    if (at(limit, "active").empty()) continue;
     constexpr std::size_t kBands = 6;
     add(fmt::format("arc-key band{}", band++ % kBands),
         fmt::format("<code>{}</code> holds",
-                    xml_escaped(limit.value("name", ""))));
+                    xml_escaped(text_of(limit, "name"))));
   }
   return out + "</p>\n";
 }
@@ -253,17 +238,55 @@ std::string section(std::string_view heading, const std::string& content) {
 }
 
 std::string repeat_section(const Json& result) {
-  Json input;
-  if (const auto found = result.find("input"); found != result.end()) {
-    input = *found;
-  }
   return "<p>The result beside this page is a problem file too. This solves "
          "the scene again:</p>\n<pre>brachisto solve result.json --out "
          "again</pre>\n"
          "<details><summary>The problem file, defaults filled in</summary>\n"
          "<pre>" +
-         xml_escaped(input.dump(2)) + "</pre></details>\n" +
+         xml_escaped(at(result, "input").dump(2)) + "</pre></details>\n" +
          provenance_tables(result);
+}
+
+/// Which entries of the KKT matrix of one element may be other than zero, of
+/// the formulation rolling_time without limits in an ordinary world.
+/// \param degree    p
+/// \param elements  of the mesh, told in the words below it
+std::string block_drawing(const Scene& scene, int degree, int elements) {
+  // Its entries are where they are whatever the slope at B is.
+  const RollingTime element(scene, uniform_mesh(degree, 1), 0.0);
+  const int n = element.num_variables(), size = n + element.num_constraints();
+  std::set<std::pair<int, int>> entries;  // row and column
+  const auto put = [&](int row, int column) {
+    entries.emplace(row, column);
+    entries.emplace(column, row);
+  };
+  element.hess_lag_pattern().for_each(
+      [&](std::size_t, int row, int column) { put(row, column); });
+  element.jac_g_pattern().for_each(
+      [&](std::size_t, int row, int column) { put(n + row, column); });
+  // Entries side by side are one rectangle.
+  std::string path;
+  for (auto entry = entries.begin(); entry != entries.end();) {
+    const auto [row, column] = *entry;
+    int end = column;
+    while (entry != entries.end() && *entry == std::pair{row, end}) {
+      ++entry;
+      ++end;
+    }
+    fmt::format_to(std::back_inserter(path), "M{} {}h{}v1h{}z", column, row,
+                   end - column, column - end);
+  }
+  return fmt::format(
+      "<figure class=\"small block\"><svg viewBox=\"-1 -1 {0} {0}\" "
+      "role=\"img\" aria-label=\"Pattern of the KKT matrix of one element\">"
+      "<path class=\"frame\" d=\"M0 0H{1}V{1}H0zM{2} 0V{1}M0 {2}H{1}\"/>"
+      "<path class=\"entries\" d=\"{3}\"/></svg><figcaption>Where the KKT "
+      "matrix of one element of degree {4} may have entries, {5} in all: the "
+      "Hessian of its {2} variables to the upper left, the Jacobian of its {6} "
+      "rows below. The mesh of this answer is a chain of {7}, neighbours "
+      "sharing a node, bordered by one variable of all, "
+      "U.</figcaption></figure>\n",
+      size + 2, size, n, path, degree, entries.size(), size - n, elements);
 }
 
 /// The matrix, where the answer was found by collocation in the rolling time on
@@ -271,16 +294,15 @@ std::string repeat_section(const Json& result) {
 std::string matrix(const Json& result, const Scene& scene) {
   const bool plain =
       scene.world.ordinary() && !scene.limits.any() && !scene.path;
-  const Json options = result.value(
-      Json::json_pointer("/provenance/options/discretisation"), Json());
-  const Json mesh = result.value("mesh", Json::object());
-  const double degree = mesh.is_object() ? number(mesh, "degree") : 0.0;
-  const double elements = mesh.is_object() ? number(mesh, "elements") : 0.0;
+  const Json& options =
+      at(at(at(result, "provenance"), "options"), "discretisation");
+  const Json& mesh = at(result, "mesh");
+  const double degree = number(mesh, "degree");
+  const double elements = number(mesh, "elements");
   constexpr double kHighest = 8.0;  // of all meshes
   // Written so that what is no number is none.
   const bool known = degree >= 1.0 && degree <= kHighest && elements >= 1.0;
-  if (!plain || !known || !options.is_object() ||
-      options.value("formulation", Json()) != "rolling_time") {
+  if (!plain || !known || at(options, "formulation") != "rolling_time") {
     return {};
   }
   return block_drawing(scene, static_cast<int>(degree),
@@ -341,13 +363,10 @@ std::string answer_page(const Json& result, const Scene& scene,
          section("How the time changes with the scene",
                  sensitivities_tables(result)) +
          section("All that is known", all_that_is_known(result, scene));
-  const auto made = result.find("provenance");
-  const std::string version =
-      made != result.end() ? made->value("brachisto", "") : "";
   out += fmt::format(
       "</main>\n<footer>Written from a result of brachisto {}. Curves by "
       "dygraphs, whose licence is in the source of this page.</footer>\n",
-      xml_escaped(version));
+      xml_escaped(version_in(result)));
   out += report::data_html(motion_data(rows.table, scene, result,
                                        motion_box(rows.table, scene.body)));
   out += report::script_html(

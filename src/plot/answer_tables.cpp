@@ -7,10 +7,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <utility>
@@ -19,6 +17,7 @@
 #include "io/key_spec.hpp"
 #include "math/angle.hpp"
 #include "plot/check_texts.hpp"
+#include "plot/result_values.hpp"
 #include "report/page.hpp"
 #include "report/rich_text.hpp"
 #include "report/scale.hpp"
@@ -45,35 +44,23 @@ enum class Part {
 
 /// Where a key at the top of a result is told.
 Part part_of(std::string_view key) {
-  static const std::map<std::string_view, Part> kParts = [] {
-    std::map<std::string_view, Part> parts;
-    const auto put = [&](Part part,
-                         std::initializer_list<std::string_view> keys) {
-      for (const std::string_view one : keys) parts[one] = part;
-    };
-    put(Part::Head, {"schema_version", "status", "message", "warnings",
-                     "verified", "not_verified_because", "feasible",
-                     "infeasible_because", "undecided_because"});
-    put(Part::Found,
-        {"tau", "transit_time", "centre_path_length", "rail_length",
-         "start_angle", "end_angle", "rotation", "normal_force", "friction",
-         "grip", "curvature", "at_start", "fold_margin", "estimated_error"});
-    put(Part::Limits, {"limits"});
-    put(Part::Sensitivities, {"sensitivities"});
-    put(Part::Certificate, {"certificate"});
-    put(Part::Origin, {"provenance", "scene", "input"});
-    return parts;
-  }();
-  const auto found = kParts.find(key);
-  return found == kParts.end() ? Part::Way : found->second;
-}
-
-/// A part of a document; null if it is not there.
-const Json& at(const Json& json, std::string_view key) {
-  static const Json kNull;
-  if (!json.is_object()) return kNull;
-  const auto found = json.find(key);
-  return found == json.end() ? kNull : *found;
+  // Between blanks, those at both ends too.
+  constexpr std::pair<Part, std::string_view> kKeys[] = {
+      {Part::Head,
+       " schema_version status message warnings verified not_verified_because "
+       "feasible infeasible_because undecided_because "},
+      {Part::Found,
+       " tau transit_time centre_path_length rail_length start_angle end_angle "
+       "rotation normal_force friction grip curvature at_start fold_margin "
+       "estimated_error "},
+      {Part::Limits, " limits "},
+      {Part::Sensitivities, " sensitivities "},
+      {Part::Certificate, " certificate "},
+      {Part::Origin, " provenance scene input "}};
+  for (const auto& [part, keys] : kKeys) {
+    if (keys.find(fmt::format(" {} ", key)) != keys.npos) return part;
+  }
+  return Part::Way;
 }
 
 bool is_letter(char c) {
@@ -199,7 +186,7 @@ std::string part_tables(const Json& result, Part part) {
   return table({"key", "value", "meaning"}, rows, "values") + further;
 }
 
-const FieldText& text_of(std::string_view key) {
+const FieldText& field_of(std::string_view key) {
   static const std::vector<FieldText> kTexts = report::result_texts();
   return *std::ranges::find(kTexts, key, &FieldText::name);
 }
@@ -256,6 +243,14 @@ std::string symbols_html(std::string_view text) {
   return report::html_words(rich);
 }
 
+std::string reasons_html(const Json& json, std::string_view key) {
+  std::string out;
+  for (const std::string& reason : words(json, key)) {
+    out += (out.empty() ? ": " : "; ") + symbols_html(reason);
+  }
+  return out;
+}
+
 std::string asked_table(const Json& result) {
   Rows rows;
   add_input(rows, at(result, "scene"), "scene");
@@ -299,7 +294,7 @@ std::string sensitivities_tables(const Json& result) {
   if (!all.is_object() || all.empty()) return {};
   Rows rows;
   std::vector<std::string> names;
-  for (const FieldText& by : text_of("sensitivities").parts) {
+  for (const FieldText& by : field_of("sensitivities").parts) {
     const Json& derivatives = at(all, by.name);
     if (by.parts.empty()) continue;
     names.emplace_back(by.name);
@@ -330,8 +325,6 @@ std::string sensitivities_tables(const Json& result) {
 std::string certificate_table(const Json& result) {
   Rows rows;
   for (const Json& check : at(at(result, "certificate"), "checks")) {
-    const Json& passed = at(check, "passed");
-    const bool good = passed.is_boolean() && passed.get<bool>();
     const auto brief = [&](std::string_view key) {
       const Json& value = at(check, key);
       if (!value.is_number()) return std::string("not known");
@@ -351,8 +344,8 @@ std::string certificate_table(const Json& result) {
                   ? fmt::format("<br/><small>{}</small>", cell_text(where))
                   : ""),
          brief("value"), brief("threshold"),
-         good ? "<span class=\"good\">passed</span>"
-              : "<strong class=\"bad\">failed</strong>"});
+         is_true(check, "passed") ? "<span class=\"good\">passed</span>"
+                                  : "<strong class=\"bad\">failed</strong>"});
   }
   return table({"check", "what it means", "value", "at most", "verdict"}, rows,
                "checks");
@@ -364,7 +357,7 @@ std::string way_tables(const Json& result) {
 
 std::string provenance_tables(const Json& result) {
   Rows rows, options;
-  for (const FieldText& part : text_of("provenance").parts) {
+  for (const FieldText& part : field_of("provenance").parts) {
     if (part.name == "options") continue;
     add_rows(rows, part, at(at(result, "provenance"), part.name), "");
   }

@@ -28,5 +28,8 @@ namespace brachisto::plot {
 /// Text in which letters behind the underscore of a symbol are lowered: "R_n",
 /// "β_end", but not "scene.path_limits"; and signs of numbers are real ones.
 [[nodiscard]] std::string symbols_html(std::string_view text);
+/// A list of such texts, ": one; another"; "" without any.
+[[nodiscard]] std::string reasons_html(const report::Json& json,
+                                       std::string_view key);
 
 }  // namespace brachisto::plot

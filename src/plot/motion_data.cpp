@@ -12,15 +12,14 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <string>
 #include <string_view>
 #include <utility>
 
 #include "brachisto/math/clock.hpp"
 #include "math/angle.hpp"
+#include "plot/result_values.hpp"
 #include "report/canvas.hpp"
 #include "report/page.hpp"
-#include "report/path_frame.hpp"
 #include "report/rich_text.hpp"
 #include "report/scale.hpp"
 #include "report/track_kind.hpp"
@@ -49,11 +48,11 @@ bool is_drawn(const TableColumn& column) {
          column.name.starts_with(kSlack);
 }
 
-std::string number(double value) {
+std::string digits(double value) {
   return std::isfinite(value) ? fmt::format("{:.7g}", value) : "null";
 }
-std::string number(const std::optional<double>& value) {
-  return value ? number(*value) : "null";
+std::string digits(const std::optional<double>& value) {
+  return value ? digits(*value) : "null";
 }
 
 template <class Items, class Text>
@@ -67,7 +66,7 @@ std::string array(const Items& items, Text text) {
 }
 
 std::string numbers(const std::vector<double>& values) {
-  return array(values, [](double value) { return number(value); });
+  return array(values, [](double value) { return digits(value); });
 }
 
 std::string quoted(const std::string& text) {
@@ -81,19 +80,16 @@ std::string point(Point p) {
 /// Where limits hold, from the result.
 std::string active_arcs(const Json& result) {
   std::string out = "[";
-  for (const Json& limit : result.value("limits", Json::array())) {
-    for (const Json& arc : limit.value("active", Json::array())) {
-      const Json time = arc.value("t", Json::object());
-      const auto end = [&](const char* key) {
-        const Json there = time.value(key, Json());
-        return there.is_number() ? there.get<double>() : std::nan("");
-      };
-      const double from = end("from"), to = end("to");
+  for (const Json& limit : at(result, "limits")) {
+    for (const Json& arc : at(limit, "active")) {
+      const Json& time = at(arc, "t");
+      const double from = number(time, "from");
+      const double to = number(time, "to");
       if (!(from < to)) continue;
       if (out.size() > 1) out += ',';
-      out += fmt::format("{{\"name\":{},\"from\":{},\"to\":{}}}",
-                         quoted(limit.value("name", "")), number(from),
-                         number(to));
+      out +=
+          fmt::format("{{\"name\":{},\"from\":{},\"to\":{}}}",
+                      quoted(text_of(limit, "name")), digits(from), digits(to));
     }
   }
   return out + "]";
@@ -130,17 +126,17 @@ std::string motion_data(const TrajectoryTable& rows, const Scene& scene,
   const PathLimits& limits = scene.limits;
   std::string out = fmt::format(
       "{{\"body\":{{\"rolls\":{},\"radius\":{},\"eta\":{},\"k\":{}{}}},\n",
-      body.rolls(), number(body.radius), number(body.eta_m), number(body.k),
-      body.ball ? ",\"walls\":" + number(body.wall_ratio) : "");
+      body.rolls(), digits(body.radius), digits(body.eta_m), digits(body.k),
+      body.ball ? ",\"walls\":" + digits(body.wall_ratio) : "");
   // Where the energy is no sum that stays.
   const bool conserved = !scene.world.changes_rates();
   out += fmt::format(
       "\"gravity\":{},\"weight\":{},\n\"bounds\":{{\"friction\":{},\"least\":{}"
       ","
       "\"greatest\":{}}},\n\"box\":[{},{}],\n",
-      conserved ? number(scene.gravity) : "null", !scene.world.field_varies(),
-      number(limits.friction), number(limits.normal_min),
-      number(limits.normal_max), point(box.low), point(box.high));
+      conserved ? digits(scene.gravity) : "null", !scene.world.field_varies(),
+      digits(limits.friction), digits(limits.normal_min),
+      digits(limits.normal_max), point(box.low), point(box.high));
   out += "\"obstacles\":" +
          array(report::obstacles(limits, box.low, box.high),
                [](const report::Outline& area) { return array(area, point); }) +
@@ -150,7 +146,7 @@ std::string motion_data(const TrajectoryTable& rows, const Scene& scene,
     if (!is_drawn(column)) continue;
     const ShownRange range = shown_range(rows, column.values);
     out += fmt::format("{}{}:[{},{}]", before, quoted(column.name),
-                       number(range.low), number(range.high));
+                       digits(range.low), digits(range.high));
     before = ",";
   }
   out += "},\n\"rows\":{";

@@ -12,6 +12,7 @@
 
 #include "plot/answer_tables.hpp"
 #include "plot/motion_data.hpp"
+#include "plot/result_values.hpp"
 #include "plot/web_parts.hpp"
 #include "report/page.hpp"
 #include "report/rich_text.hpp"
@@ -38,10 +39,8 @@ double transit_time(const Racer& racer) {
 
 /// Of T [s]; 0 if the result tells none.
 double time_error(const Racer& racer) {
-  const auto error = racer.result.find("estimated_error");
-  return error != racer.result.end() && error->is_number()
-             ? error->get<double>() * transit_time(racer)
-             : 0.0;
+  const double error = number(racer.result, "estimated_error");
+  return std::isnan(error) ? 0.0 : error * transit_time(racer);
 }
 
 /// With so many decimals, or those that the error leaves.
@@ -52,19 +51,7 @@ std::string rounded(double value, double error, int decimals) {
 }
 
 bool feasible(const Racer& racer) {
-  return racer.result.at("feasible") == true;
-}
-
-/// Why the body could not run on its track.
-std::string reasons(const Racer& racer) {
-  std::string out;
-  for (const Json& reason :
-       racer.result.value("infeasible_because", Json::array())) {
-    if (!reason.is_string()) continue;
-    out +=
-        (out.empty() ? ": " : "; ") + symbols_html(reason.get<std::string>());
-  }
-  return out;
+  return is_true(racer.result, "feasible");
 }
 
 /// Classes of race.css: the colour of a racer and the dashes of its track, of
@@ -160,7 +147,7 @@ std::string starters(const std::vector<Racer>& racers) {
     }
     if (!feasible(racer)) {
       out += fmt::format(". <span class=\"bad\">Infeasible{}</span>",
-                         reasons(racer));
+                         reasons_html(racer.result, "infeasible_because"));
     }
     out += ".</li>\n";
   }
@@ -174,12 +161,8 @@ struct Ground {
 };
 
 Ground ground_of(const std::vector<Racer>& racers) {
-  Ground ground;
+  Ground ground{{}, motion_box(racers)};
   for (const Racer& racer : racers) {
-    const Box box = motion_box(racer.table, racer.scene.body);
-    if (ground.rows.empty()) ground.box = box;
-    ground.box.include(box.low, 0.0);
-    ground.box.include(box.high, 0.0);
     ground.rows.push_back(
         rows_for_page(racer.table, racer.scene, kMostNumbers / racers.size()));
   }
@@ -237,6 +220,16 @@ std::string behind(const Racer& first, const Racer& racer) {
   return "+" + rounded(ms, error, kDecimals);
 }
 
+report::Box motion_box(const std::vector<Racer>& racers) {
+  report::Box box = motion_box(racers.front().table, racers.front().scene.body);
+  for (const Racer& racer : racers) {
+    const report::Box its = motion_box(racer.table, racer.scene.body);
+    box.include(its.low, 0.0);
+    box.include(its.high, 0.0);
+  }
+  return box;
+}
+
 std::string race_page(const std::vector<Racer>& racers, bool same_track) {
   const Ground ground = ground_of(racers);
   const Racer& first = racers.front();
@@ -274,12 +267,10 @@ std::string race_page(const std::vector<Racer>& racers, bool same_track) {
       "</section>\n<section>\n<h2>Who starts</h2>\n" + starters(racers) +
       fmt::format("<p class=\"about\">{}</p>\n</section>\n</main>\n",
                   held(ground));
-  const auto made = first.result.find("provenance");
   out += fmt::format(
       "<footer>Written from results of brachisto {}, each of them "
       "verified.</footer>\n",
-      xml_escaped(made != first.result.end() ? made->value("brachisto", "")
-                                             : ""));
+      xml_escaped(version_in(first.result)));
   return out + report::data_html(race_data(racers, ground)) +
          report::script_html(kMotionScript) + report::script_html(kRaceScript) +
          "</body>\n</html>\n";

@@ -12,6 +12,7 @@
 
 #include "brachisto/model/scene.hpp"
 #include "plot/trajectory_table.hpp"
+#include "report/path_frame.hpp"
 #include "report/result_texts.hpp"
 
 namespace brachisto::plot {
@@ -31,6 +32,9 @@ struct Racer {
 /// the errors of both leave, at most three decimals: "+136.481", "0" of the
 /// first one.
 [[nodiscard]] std::string behind(const Racer& first, const Racer& racer);
+
+/// What a picture shows of the plane for all of them; at least one.
+[[nodiscard]] report::Box motion_box(const std::vector<Racer>& racers);
 
 /// One file that needs no other one and no network. It is well-formed XML too,
 /// and holds at most kMostNumbers numbers of all tables together.

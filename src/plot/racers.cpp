@@ -7,7 +7,6 @@
 
 #include <array>
 #include <cmath>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>

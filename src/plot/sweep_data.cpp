@@ -7,8 +7,9 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
-#include <functional>
+#include <initializer_list>
 #include <optional>
+#include <utility>
 
 #include "plot/motion_data.hpp"
 #include "plot/thinning.hpp"
@@ -42,15 +43,6 @@ Json cells_of(const report::Figure& figure) {
           {"scenes", std::move(scenes)},
           {"x", std::move(x)},
           {"y", std::move(y)}};
-}
-
-Json scenes_that(const SweepTable& table,
-                 const std::function<bool(const SweepOutcome&)>& are) {
-  Json scenes = Json::array();
-  for (std::size_t scene = 0; scene < table.outcomes.size(); ++scene) {
-    if (are(table.outcomes[scene])) scenes.push_back(scene);
-  }
-  return scenes;
 }
 
 /// Why it failed or cannot be run on, and what its branch went through.
@@ -109,18 +101,26 @@ Json sweep_data(const SweepTable& table,
     if (!figure.scenes.cells.empty())
       data["figures"].push_back(cells_of(figure));
   }
-  data["infeasible"] = scenes_that(table, [](const SweepOutcome& outcome) {
-    return outcome.state == State::Verified && !outcome.feasible;
-  });
-  data["unsolved"] = scenes_that(table, [](const SweepOutcome& outcome) {
-    return outcome.state == State::Failed;
-  });
-  data["missing"] = scenes_that(table, [](const SweepOutcome& outcome) {
-    return outcome.state == State::Missing;
-  });
-  data["folded"] = scenes_that(table, [](const SweepOutcome& outcome) {
-    return !outcome.folds.empty();
-  });
+  using Test = bool (*)(const SweepOutcome&);
+  for (const auto& [name, are] :
+       std::initializer_list<std::pair<const char*, Test>>{
+           {"infeasible",
+            [](const SweepOutcome& one) {
+              return one.state == State::Verified && !one.feasible;
+            }},
+           {"unsolved",
+            [](const SweepOutcome& one) { return one.state == State::Failed; }},
+           {"missing",
+            [](const SweepOutcome& one) {
+              return one.state == State::Missing;
+            }},
+           {"folded",
+            [](const SweepOutcome& one) { return !one.folds.empty(); }}}) {
+    Json& scenes = data[name] = Json::array();
+    for (std::size_t scene = 0; scene < table.outcomes.size(); ++scene) {
+      if (are(table.outcomes[scene])) scenes.push_back(scene);
+    }
+  }
   data["remarks"] = Json::object();
   for (std::size_t scene = 0; scene < table.outcomes.size(); ++scene) {
     const std::string text = remark(table.outcomes[scene]);

@@ -8,7 +8,6 @@
 
 #include <cstddef>
 #include <nlohmann/json.hpp>
-#include <string>
 #include <vector>
 
 #include "brachisto/model/scene.hpp"

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <utility>
 
 #include "brachisto/version.hpp"
 #include "plot/web_parts.hpp"

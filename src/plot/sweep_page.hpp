@@ -7,10 +7,8 @@
 #pragma once
 
 #include <atomic>
-#include <string>
 #include <vector>
 
-#include "brachisto/report/result.hpp"
 #include "plot/sweep_data.hpp"
 #include "report/figure.hpp"
 #include "report/sweep_table.hpp"

@@ -10,10 +10,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <numeric>
-#include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "brachisto/math/clock.hpp"
 

@@ -12,7 +12,6 @@
 #include <limits>
 #include <ranges>
 #include <system_error>
-#include <utility>
 
 #include "brachisto/math/clock.hpp"
 #include "brachisto/report/result.hpp"

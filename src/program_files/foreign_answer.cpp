@@ -7,13 +7,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "brachisto/io/problem_file.hpp"
 #include "brachisto/math/index.hpp"
-#include "program_files/nl_file.hpp"
+#include "program_files/nl_numbering.hpp"
 #include "trajectory/arc_length_motion.hpp"
 #include "trajectory/certify.hpp"
 #include "trajectory/checks.hpp"
@@ -105,11 +104,7 @@ CheckedAnswer check_answer(const Solution& solution,
   out.solver = theirs.message;
   out.code = theirs.code;
   const PrimalDual point = in_program_order(problem, theirs, source);
-  if (!problem.set_point(program.answer.x)) {
-    throw std::runtime_error("the answer is no point of its program: " +
-                             problem.refusal());
-  }
-  const double ours = problem.eval_f();
+  const double ours = program.objective();
   if (!problem.set_point(point.x)) {
     throw io::InputError(
         {{source, 0, 0, "", "no point of the program: " + problem.refusal()}});

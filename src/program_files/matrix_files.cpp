@@ -5,12 +5,21 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <string>
 #include <utility>
 
 #include "brachisto/math/index.hpp"
 
 namespace brachisto::program_files {
+
+namespace {
+
+void put_head(const char* kind, int rows, int columns, std::size_t entries,
+              TextStream& out) {
+  out << "%%MatrixMarket matrix coordinate real " << kind << '\n'
+      << rows << ' ' << columns << ' ' << entries << '\n';
+}
+
+}  // namespace
 
 ProgramMatrices::ProgramMatrices(nlp::Problem& problem, const PrimalDual& point)
     : num_variables_(problem.num_variables()),
@@ -62,26 +71,20 @@ void ProgramMatrices::put_entries(const Entries& entries, int down,
 }
 
 void ProgramMatrices::put_jacobian(TextStream& out) const {
-  out << "%%MatrixMarket matrix coordinate real general\n"
-      << num_constraints_ << ' ' << num_variables_ << ' ' << jacobian_.size()
-      << '\n';
+  put_head("general", num_constraints_, num_variables_, jacobian_.size(), out);
   put_entries(jacobian_, 0, out);
   out.flush();
 }
 
 void ProgramMatrices::put_hessian(TextStream& out) const {
-  out << "%%MatrixMarket matrix coordinate real symmetric\n"
-      << num_variables_ << ' ' << num_variables_ << ' ' << hessian_.size()
-      << '\n';
+  put_head("symmetric", num_variables_, num_variables_, hessian_.size(), out);
   put_entries(hessian_, 0, out);
   out.flush();
 }
 
 void ProgramMatrices::put_kkt(TextStream& out) const {
   const int size = num_variables_ + num_constraints_;
-  out << "%%MatrixMarket matrix coordinate real symmetric\n"
-      << size << ' ' << size << ' ' << hessian_.size() + jacobian_.size()
-      << '\n';
+  put_head("symmetric", size, size, hessian_.size() + jacobian_.size(), out);
   put_entries(hessian_, 0, out);
   put_entries(jacobian_, num_variables_, out);
   out.flush();

@@ -69,15 +69,6 @@ Json description(const SolvedProgram& program, const ProgramOutput& output,
   return out;
 }
 
-/// \throws std::runtime_error  if there is none
-double objective_at(Transcription& problem, const std::vector<double>& x) {
-  if (!problem.set_point(x)) {
-    throw std::runtime_error("the answer is no point of its program: " +
-                             problem.refusal());
-  }
-  return problem.eval_f();
-}
-
 /// The program's own order.
 NlNumbering own_order(const Transcription& problem) {
   NlNumbering out;
@@ -111,7 +102,7 @@ std::vector<std::string> ProgramOutput::names() const {
 nlohmann::ordered_json write_program(const SolvedProgram& program,
                                      const ProgramOutput& output) {
   Transcription& problem = *program.problem;
-  const double objective = objective_at(problem, program.answer.x);
+  const double objective = program.objective();
   const std::vector<std::string> names = output.names();
   std::vector<DescribedFile> files;
   const auto add = [&](const char* text,

@@ -6,7 +6,6 @@
 #include <charconv>
 #include <fstream>
 #include <string_view>
-#include <utility>
 
 #include "brachisto/io/problem_file.hpp"
 #include "io/text_lines.hpp"

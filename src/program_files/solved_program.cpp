@@ -57,6 +57,14 @@ SolvedProgram made_of(Problem problem, PrimalDual answer, PrimalDual guess,
 
 }  // namespace
 
+double SolvedProgram::objective() const {
+  if (!problem->set_point(answer.x)) {
+    throw std::runtime_error("the answer is no point of its program: " +
+                             problem->refusal());
+  }
+  return problem->eval_f();
+}
+
 std::string no_program_because(const Scene& scene,
                                const SolveOptions& options) {
   if (scene.path) {

@@ -30,6 +30,10 @@ struct SolvedProgram {
   Units units;
   /// φ that C_B is built from; nothing where the program has free contacts.
   std::optional<double> end_slope;
+
+  /// The objective at the answer, in natural units.
+  /// \throws std::runtime_error  if it is no point of the program
+  [[nodiscard]] double objective() const;
 };
 
 /// Why a scene with these options ends on no program; empty if it does.

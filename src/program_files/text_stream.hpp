@@ -6,8 +6,12 @@
 
 #pragma once
 
+#include <array>
+#include <charconv>
+#include <cstddef>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 #include "report/in_full.hpp"
 
@@ -27,12 +31,19 @@ class TextStream {
     return *this;
   }
   TextStream& operator<<(char c) { return *this << std::string_view(&c, 1); }
-  TextStream& operator<<(int number);
-  TextStream& operator<<(std::size_t number);
-  TextStream& operator<<(double number);
-
+  template <class Number>
+  requires std::is_arithmetic_v<Number> TextStream& operator<<(Number number) {
+    // 17 digits, sign, point and exponent.
+    std::array<char, 32> digits;  // NOLINT: filled below
+    const auto [end, error] =
+        std::to_chars(digits.data(), digits.data() + digits.size(), number);
+    return *this << std::string_view(digits.data(), end);
+  }
   /// Once all is said.
-  void flush();
+  void flush() {
+    sink_(text_);
+    text_.clear();
+  }
 
  private:
   static constexpr std::size_t kPiece = 1U << 20U;

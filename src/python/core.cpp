@@ -13,7 +13,6 @@
 #include <chrono>
 #include <cstddef>
 #include <future>
-#include <memory>
 #include <string>
 #include <type_traits>
 #include <utility>

@@ -12,6 +12,7 @@
 
 #include "brachisto/math/clock.hpp"
 #include "brachisto/report/result.hpp"
+#include "report/rich_text.hpp"
 #include "report/sweep_scenes.hpp"
 #include "trajectory/stated_limits.hpp"
 
@@ -25,12 +26,7 @@ std::string csv_field(std::string_view text) {
   if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
     return before + std::string(text);
   }
-  std::string out = std::string("\"") + before;
-  for (const char c : text) {
-    if (c == '"') out += '"';
-    out += c;
-  }
-  return out + '"';
+  return fmt::format("\"{}{}\"", before, replaced(text, "\"", "\"\""));
 }
 
 namespace {
@@ -38,6 +34,10 @@ namespace {
 /// 17 digits.
 std::string in_full(double value) {
   return fmt::format("{:.17g}", value);
+}
+/// The same; empty if it is no number.
+std::string if_known(double value) {
+  return std::isfinite(value) ? in_full(value) : "";
 }
 
 /// A column that every trajectory has.
@@ -177,14 +177,6 @@ std::vector<TrajectoryColumn> trajectory_columns(const Solution& solution) {
   return columns;
 }
 
-namespace {
-
-std::string number(double value) {
-  return std::isfinite(value) ? fmt::format("{:.17g}", value) : std::string{};
-}
-
-}  // namespace
-
 std::string sweep_csv(const SweepTable& table) {
   std::string out = "scene";
   for (const SweepColumn& column : table.columns) {
@@ -198,15 +190,15 @@ std::string sweep_csv(const SweepTable& table) {
     const bool verified = outcome.state == SweepOutcome::State::Verified;
     out += fmt::format("{}", scene);
     for (const SweepColumn& column : table.columns) {
-      out += "," + (column.numeric() ? number(column.numbers[scene])
+      out += "," + (column.numeric() ? if_known(column.numbers[scene])
                                      : csv_field(column.words[scene]));
     }
     const char* feasible = outcome.feasible ? "true" : "false";
     out += fmt::format(",{},{},{},{},{},{},{},{}\n", name(outcome.state),
                        csv_field(outcome.status), verified ? feasible : "",
-                       number(outcome.tau), number(outcome.transit_time),
-                       number(outcome.estimated_error),
-                       number(outcome.end_angle), csv_field(outcome.message));
+                       if_known(outcome.tau), if_known(outcome.transit_time),
+                       if_known(outcome.estimated_error),
+                       if_known(outcome.end_angle), csv_field(outcome.message));
   }
   return out;
 }

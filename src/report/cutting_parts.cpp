@@ -73,16 +73,21 @@ void add_level(Shapes& out, const Edge& edge, const Piece& piece) {
   out.labels.push_back({{at.x + 0.4 * size, at.z - 0.4 * size}, size, "level"});
 }
 
+/// What an outline encloses.
+Part cut_out(std::string name, std::vector<Point> corners) {
+  Part out{.name = std::move(name), .shapes = {}, .box = box_of(corners)};
+  out.shapes.polylines.push_back({Line::Cut, std::move(corners), true});
+  return out;
+}
+
 /// \param side  of two strips "L" or "R", of one ""
 Part piece_part(const Edge& edge, const std::vector<Piece>& pieces,
                 std::size_t index, const char* side, const Build& build) {
   const Piece& piece = pieces[index];
   const double strip = edge.strip();
-  Part out{.name = fmt::format("{}{}", index + 1, side), .shapes = {}};
-  std::vector<Point> corners = outline(edge, piece.from, piece.to, 0.0, strip);
-  out.box = box_of(corners);
+  Part out = cut_out(fmt::format("{}{}", index + 1, side),
+                     outline(edge, piece.from, piece.to, 0.0, strip));
   out.turns = turns_of(edge, piece.from, piece.to);
-  out.shapes.polylines.push_back({Line::Cut, std::move(corners), true});
   add_holes(out.shapes, edge, piece.holes, build);
   for (const double slot : piece.slots) {
     add_slot(out.shapes, edge.at(slot), strip, build);
@@ -127,14 +132,11 @@ Part plate_part(const Edge& edge, const std::vector<Piece>& pieces,
                 std::size_t index, const char* side, const Build& build) {
   const double at = pieces[index].to;
   const Joint joint = joint_of(build);
-  Part out{.name = fmt::format("{}-{}{}", index + 1, index + 2, side),
-           .shapes = {}};
-  std::vector<Point> corners =
-      outline(edge, at - joint.end, at + joint.end, kPlateTop * edge.strip(),
-              kPlateBottom * edge.strip());
-  out.box = box_of(corners);
+  Part out =
+      cut_out(fmt::format("{}-{}{}", index + 1, index + 2, side),
+              outline(edge, at - joint.end, at + joint.end,
+                      kPlateTop * edge.strip(), kPlateBottom * edge.strip()));
   out.turns = turns_of(edge, at - joint.end, at + joint.end);
-  out.shapes.polylines.push_back({Line::Cut, std::move(corners), true});
   add_holes(out.shapes, edge,
             {at - joint.far, at - joint.near, at + joint.near, at + joint.far},
             build);
@@ -154,21 +156,18 @@ Part spacer_part(double strip, const Build& build) {
   const double height = (kPlateBottom - kPlateTop) * strip;
   const double shoulder = 0.5 * (height - kTab * strip);
   const double low = height - shoulder;
-  Part out{.name = "spacer", .shapes = {}};
-  std::vector<Point> corners{{t, 0.0},
-                             {t + gauge, 0.0},
-                             {t + gauge, shoulder},
-                             {2.0 * t + gauge, shoulder},
-                             {2.0 * t + gauge, low},
-                             {t + gauge, low},
-                             {t + gauge, height},
-                             {t, height},
-                             {t, low},
-                             {0.0, low},
-                             {0.0, shoulder},
-                             {t, shoulder}};
-  out.box = box_of(corners);
-  out.shapes.polylines.push_back({Line::Cut, std::move(corners), true});
+  Part out = cut_out("spacer", {{t, 0.0},
+                                {t + gauge, 0.0},
+                                {t + gauge, shoulder},
+                                {2.0 * t + gauge, shoulder},
+                                {2.0 * t + gauge, low},
+                                {t + gauge, low},
+                                {t + gauge, height},
+                                {t, height},
+                                {t, low},
+                                {0.0, low},
+                                {0.0, shoulder},
+                                {t, shoulder}});
   const double size =
       std::min({kLargestLetter, 0.5 * height,
                 0.9 * gauge / width_of(letters(out.name), 1.0)});

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "brachisto/model/body.hpp"
-#include "brachisto/model/scene.hpp"
 #include "report/cutting_build.hpp"
 #include "report/cutting_drawing.hpp"
 #include "report/cutting_pieces.hpp"

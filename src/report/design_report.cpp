@@ -12,10 +12,8 @@
 #include <numeric>
 #include <optional>
 #include <span>
-#include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "math/angle.hpp"
 #include "report/scale.hpp"

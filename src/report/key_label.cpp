@@ -39,12 +39,6 @@ constexpr std::array<Known, 14> kKnown{{
     {"scene.contact", "", "contact", "", ""},
 }};
 
-/// "η_m = 0.3": a number in SI units.
-std::string equation(const KeyLabel& label, double value) {
-  return fmt::format("{} = {}{}", label.text(Markup::Rich, false),
-                     printed(label.shown(value)), label.after_number());
-}
-
 }  // namespace
 
 KeyLabel key_label(std::string_view key) {
@@ -133,8 +127,10 @@ std::string what_is_fixed(const SweepTable& table,
   std::string out = place(table, columns_that_vary(table, scenes, false),
                           scenes.front(), Markup::Rich);
   for (const SweepConstant& constant : table.constants) {
-    out += fmt::format("{}{}", out.empty() ? "" : ", ",
-                       equation(key_label(constant.key), constant.value));
+    const KeyLabel label = key_label(constant.key);
+    out += fmt::format(
+        "{}{} = {}{}", out.empty() ? "" : ", ", label.text(Markup::Rich, false),
+        printed(label.shown(constant.value)), label.after_number());
   }
   return out;
 }

@@ -4,7 +4,6 @@
 #include "report/note_places.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "report/letters.hpp"
 #include "report/rich_text.hpp"

@@ -9,9 +9,6 @@
 #include <algorithm>
 #include <iterator>
 #include <nlohmann/json.hpp>
-#include <string_view>
-#include <utility>
-#include <vector>
 
 #include "report/letters.hpp"
 #include "report/rich_text.hpp"
@@ -19,73 +16,6 @@
 namespace brachisto::report {
 
 namespace {
-
-constexpr const char* kStyle =
-    R"(:root { color-scheme: light dark; --paper: #ffffff; --ink: #1a1a1a; --soft: #444444;
-  --line: #cccccc; --link: #1f4e8c; }
-@media screen and (prefers-color-scheme: dark) {
-  :root { --paper: #15171b; --ink: #e4e4e2; --soft: #a6a9ae; --line: #4a4e55; --link: #8fbcf5; }
-}
-@media print { :root { color-scheme: light; } }
-* { box-sizing: border-box; }
-body { margin: 0 auto; max-width: 72rem; padding: 1.5rem 1.25rem 4rem;
-  font: 1rem/1.5 Georgia, "Times New Roman", serif; color: var(--ink);
-  background: var(--paper); }
-h1 { font-size: 1.7rem; line-height: 1.25; margin: 0 0 .4rem;
-  font-weight: normal; overflow-wrap: anywhere; }
-h2 { font-size: 1.2rem; margin: 2.6rem 0 .6rem; font-weight: normal;
-  border-bottom: 1px solid var(--line); padding-bottom: .25rem;
-  overflow-wrap: anywhere; }
-p { margin: .5rem 0; max-width: 46rem; }
-.about { color: var(--soft); }
-.partial { border-left: .25rem solid #b45309; padding-left: .75rem; }
-.part { display: grid; grid-template-columns: minmax(0, 45rem) minmax(13rem, 1fr);
-  gap: 1rem 2rem; align-items: start; }
-figure { margin: 0 0 1.4rem; }
-.drawing { overflow-x: auto; }
-.drawing svg, .drawing img { display: block; width: 100%; min-width: 30rem; height: auto; }
-figcaption { font-size: .92rem; color: var(--soft); margin-top: .3rem; }
-table { border-collapse: collapse; font-size: .88rem; line-height: 1.35;
-  font-variant-numeric: tabular-nums; }
-thead th { border-bottom: 1px solid var(--soft); font-weight: normal;
-  font-style: normal; vertical-align: bottom; }
-th, td { text-align: left; padding: .2rem 1rem .2rem 0; vertical-align: top; }
-tbody tr { border-bottom: 1px solid var(--line); }
-tbody th { font-weight: normal; color: var(--soft); }
-td { white-space: nowrap; }
-sub { line-height: 0; font-size: .72em; }
-.digest { width: 100%; }
-.digest td { white-space: normal; overflow-wrap: anywhere; }
-.digest small { color: var(--soft); }
-td.words { white-space: normal; min-width: 14rem; max-width: 40rem;
-  overflow-wrap: anywhere; }
-td.brief { white-space: normal; }
-.wide { overflow-x: auto; }
-code { font-family: ui-monospace, Menlo, Consolas, monospace; font-size: .9em; }
-summary { cursor: pointer; }
-a { color: var(--link); }
-footer { margin-top: 3rem; font-size: .85rem; color: var(--soft); }
-@media (max-width: 60rem) { .part { grid-template-columns: minmax(0, 1fr); } }
-@media (max-width: 44rem) {
-  body { padding: 1rem .75rem 3rem; }
-  .drawing svg, .drawing img { min-width: 0; }
-  .stacked, .stacked tbody, .stacked tr, .stacked td { display: block; }
-  .stacked thead { display: none; }
-  .stacked tr { padding: .5rem 0; }
-  .stacked td, .stacked td.words { white-space: normal; min-width: 0; padding: .1rem 0; }
-  .stacked td:empty { display: none; }
-  .stacked td:not(:first-child)::before { content: attr(data-label) ": "; color: var(--soft); }
-}
-@media print {
-  body { max-width: none; padding: 0; font-size: 10pt; }
-  .part { display: block; }
-  .drawing, .wide { overflow: visible; }
-  .drawing svg, .drawing img { min-width: 0; max-width: 16cm; }
-  figure, tr { break-inside: avoid; }
-  h2 { break-after: avoid; }
-  .files { display: none; }
-}
-)";
 
 /// A drawing of gnuplot within a page: without its prologue, and with
 /// identifiers that no other one has.
@@ -96,15 +26,7 @@ std::string embedded(std::string svg, const std::string& name) {
         {"id=\"gnuplot_", fmt::format("id=\"{}_", name)},
         {"#gnuplot_", fmt::format("#{}_", name)},
         {"#gp", fmt::format("#{}_gp", name)}}) {
-    const std::string_view old = before;
-    std::string out;
-    std::size_t from = 0;
-    for (std::size_t at = svg.find(old); at != std::string::npos;
-         at = svg.find(old, from)) {
-      out.append(svg, from, at - from).append(after);
-      from = at + old.size();
-    }
-    svg = out.append(svg, from);
+    svg = replaced(svg, before, after);
   }
   return svg;
 }
@@ -130,11 +52,6 @@ std::string document_head(const std::string& title,
       "initial-scale=1\"/>\n<title>{}</title>\n<meta name=\"color-scheme\" "
       "content=\"light dark\"/>\n<style>{}</style>\n</head>\n<body>\n",
       title, fmt::join(styles, "\n"));
-}
-
-std::string page_head(const std::string& title, const std::string& more) {
-  return document_head(title, {kStyle}) +
-         fmt::format("<h1>{}{}</h1>\n", title, more);
 }
 
 bool GrowingPage::add(const Figure& figure, const std::string& caption) {

@@ -26,12 +26,6 @@ namespace brachisto::report {
 [[nodiscard]] std::string document_head(
     const std::string& title, std::initializer_list<std::string_view> styles);
 
-/// The page up to its first heading.
-/// \param title  HTML
-/// \param more   of the heading, HTML
-[[nodiscard]] std::string page_head(const std::string& title,
-                                    const std::string& more = {});
-
 /// Bytes of pictures that a page may hold.
 inline constexpr std::size_t kMostOfPictures = 4'000'000;
 

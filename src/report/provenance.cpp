@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "brachisto/solvers/program_solvers.hpp"
 #include "brachisto/version.hpp"

@@ -22,6 +22,12 @@
 
 namespace brachisto::report {
 
+/// A value, or null if there is none.
+template <class Value>
+[[nodiscard]] Json or_null(const std::optional<Value>& value) {
+  return value ? Json(*value) : Json();
+}
+
 template <class Value>
 struct Written {
   static constexpr std::string_view kType =
@@ -36,7 +42,7 @@ template <class Value>
 struct Written<std::optional<Value>> {
   static constexpr std::string_view kType = Written<Value>::kType;
   static Json json(const std::optional<Value>& value) {
-    return value ? Json(*value) : Json();
+    return or_null(value);
   }
 };
 

@@ -121,12 +121,18 @@ std::string plain_words(std::string_view source) {
 }
 
 std::string as_rich_text(std::string_view text) {
+  return replaced(replaced(text, "_", "\\_"), "^", "\\^");
+}
+
+std::string replaced(std::string_view text, std::string_view old,
+                     std::string_view by) {
   std::string out;
-  for (const char c : text) {
-    if (c == '_' || c == '^') out += '\\';
-    out += c;
+  for (std::size_t at = text.find(old); at != std::string_view::npos;
+       at = text.find(old)) {
+    out.append(text.substr(0, at)).append(by);
+    text.remove_prefix(at + old.size());
   }
-  return out;
+  return out.append(text);
 }
 
 }  // namespace brachisto::report

@@ -24,6 +24,10 @@ namespace brachisto::report {
 /// The source of a text that shows it as it is.
 [[nodiscard]] std::string as_rich_text(std::string_view text);
 
+/// With every `old` in a text replaced.
+[[nodiscard]] std::string replaced(std::string_view text, std::string_view old,
+                                   std::string_view by);
+
 /// Text as content or attribute value of XML and HTML. Characters that XML
 /// does not have become U+FFFD.
 [[nodiscard]] std::string xml_escaped(std::string_view text);

@@ -5,9 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 namespace brachisto::report {
 
 std::string printed(double value, int digits) {

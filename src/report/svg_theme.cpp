@@ -15,6 +15,8 @@
 #include <set>
 #include <string_view>
 
+#include "report/rich_text.hpp"
+
 namespace brachisto::report {
 
 namespace {
@@ -66,19 +68,6 @@ std::set<std::string> coloured(std::string_view svg, bool lines) {
     }
   }
   return found;
-}
-
-/// Words whose spaces are told to be kept.
-std::string with_kept_spaces(const std::string& svg) {
-  constexpr std::string_view kText = "<text>";
-  std::string out;
-  std::size_t from = 0;
-  for (std::size_t at = svg.find(kText); at != std::string::npos;
-       at = svg.find(kText, from)) {
-    out.append(svg, from, at - from).append("<text xml:space=\"preserve\">");
-    from = at + kText.size();
-  }
-  return out.append(svg, from);
 }
 
 }  // namespace
@@ -143,7 +132,8 @@ std::string with_theme(std::string svg) {
                          "dark) {{\n#gnuplot_canvas feFlood {{ flood-color: "
                          "var(--paper, {}); }}\n{}}}\n</style>\n",
                          hex(kDarkGround), rules));
-  return with_kept_spaces(svg);
+  // Spaces of words are kept.
+  return replaced(svg, "<text>", "<text xml:space=\"preserve\">");
 }
 
 }  // namespace brachisto::report

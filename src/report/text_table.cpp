@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "report/letters.hpp"
+#include "report/rich_text.hpp"
 
 namespace brachisto::report {
 
@@ -30,12 +31,7 @@ std::vector<std::size_t> widths_of(const Rows& rows, std::size_t least) {
 
 /// Without what would end the cell.
 std::string in_markdown(const std::string& cell) {
-  std::string out;
-  for (const char c : cell) {
-    if (c == '|') out += '\\';
-    out += c == '\n' ? ' ' : c;
-  }
-  return out;
+  return replaced(replaced(cell, "|", "\\|"), "\n", " ");
 }
 
 std::string room(const std::string& cell, std::size_t width) {

@@ -14,7 +14,6 @@
 #include "brachisto/model/body.hpp"
 #include "math/portable_random.hpp"
 #include "reproduction/claims.hpp"
-#include "reproduction/printed_numbers.hpp"
 
 namespace brachisto::reproduction {
 

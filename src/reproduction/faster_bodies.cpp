@@ -8,12 +8,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 #include "brachisto/math/polynomial_basis.hpp"
 #include "brachisto/model/body.hpp"
 #include "math/roots.hpp"
-#include "reproduction/cases.hpp"
 
 namespace brachisto::reproduction {
 

@@ -10,15 +10,13 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <utility>
-#include <vector>
 
-#include "brachisto/report/result.hpp"
 #include "design/design_search.hpp"
+#include "plot/web_parts.hpp"
 #include "report/csv.hpp"
 #include "report/page.hpp"
 #include "report/provenance.hpp"
 #include "report/rich_text.hpp"
-#include "report/text_table.hpp"
 
 namespace brachisto::reproduction {
 
@@ -344,7 +342,9 @@ std::string introduction(const Results& found) {
 /// \param figures  in HTML
 std::string page(const Results& found, const Reproduction& made,
                  const std::string& figures) {
-  std::string out = report::page_head(kTitle, ": the paper and brachisto");
+  std::string out =
+      report::document_head(kTitle, {plot::kDocumentStyle}) +
+      fmt::format("<h1>{}: the paper and brachisto</h1>\n", kTitle);
   out += introduction(found);
   out += "<h2>Numbers</h2>\n" + comparison_table(made.comparisons);
   out += "<h2>Statements</h2>\n" + claims_table(made.claims);

@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "brachisto/report/result.hpp"
 #include "report/figure.hpp"
 #include "report/text_table.hpp"
 #include "reproduction/claims.hpp"

@@ -6,18 +6,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
 #include <stdexcept>
-#include <system_error>
 #include <utility>
 
 #include "brachisto/math/clock.hpp"
 #include "design/best_track.hpp"
 #include "reproduction/bent_track.hpp"
-#include "reproduction/cases.hpp"
 #include "sweep/scratch_directory.hpp"
 #include "sweep/table.hpp"
 
@@ -27,17 +24,13 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-double tau_on_mesh(const Scene& scene, int degree, int nodes) {
+double tau_on_mesh(const Scene& scene, int degree, int nodes,
+                   const Interrupt& interrupt) {
   SolveOptions options;
   Discretisation& mesh = options.use<Collocation>().discretisation;
   mesh.degree = degree;
   mesh.nodes = nodes;
-  const Solution solution = solve(scene, options);
-  if (!solution.verified()) {
-    throw NotVerified("the grid study has no verified answer: " +
-                      solution.message);
-  }
-  return solution.motion()->tau();
+  return verified_solution(scene, interrupt, options).motion()->tau();
 }
 
 PaperEquations solve_paper_equations(const Scene& scene, int nodes) {
@@ -54,10 +47,12 @@ PaperEquations solve_paper_equations(const Scene& scene, int nodes) {
   return {tau(Datum::Rest), tau(Datum::Release)};
 }
 
-std::vector<GridRow> grid_study(const Scene& scene) {
+std::vector<GridRow> grid_study(const Scene& scene,
+                                const Interrupt& interrupt) {
   std::vector<GridRow> rows;
   for (const int n : {25, 50, 100, 200}) {
-    rows.push_back({n, tau_on_mesh(scene, 1, n), tau_on_mesh(scene, 5, n + 1),
+    rows.push_back({n, tau_on_mesh(scene, 1, n, interrupt),
+                    tau_on_mesh(scene, 5, n + 1, interrupt),
                     solve_paper_equations(scene, n)});
   }
   return rows;
@@ -293,7 +288,7 @@ Results find_all(const std::filesystem::path& directory, const Hooks& hooks) {
   const Scene& reference = out.cases["fig04_reference_case"].scene();
   const Case& fast = out.cases["fig13_faster_than_bead"];
   hooks.announce("grid study");
-  out.grid = grid_study(reference);
+  out.grid = grid_study(reference, interrupt);
   constexpr int kNodes = 100;
   for (const char* name :
        {"fig06_uniform_cylinder", "fig04_reference_case", "fig12_L_2",

@@ -7,8 +7,6 @@
 #include <fmt/ranges.h>
 #include <xxhash.h>
 
-#include <string>
-
 namespace brachisto::sweep {
 
 Damage::operator bool() const {

@@ -63,13 +63,21 @@ std::string difference_of_points(const io::SweepFile& stored,
                      now->x, now->z);
 }
 
+/// \param points  of its path, if they are known already
+Job job_of(const std::string& name, std::string text,
+           std::vector<std::string> overrides, bool of_design,
+           const std::vector<Point>* points = nullptr) {
+  io::SweepFile file = io::read_sweep_text(text, name, overrides, points);
+  return {name, std::move(text), std::move(overrides), std::move(file),
+          of_design};
+}
+
 }  // namespace
 
 Job read_job(const std::filesystem::path& path,
              const std::vector<std::string>& overrides) {
   std::string text = io::read_problem_bytes(path);
-  io::SweepFile file = io::read_sweep_text(text, path.string(), overrides);
-  return {path.string(), std::move(text), overrides, std::move(file), false};
+  return job_of(path.string(), std::move(text), overrides, false);
 }
 
 Job read_design_job(const std::filesystem::path& path,
@@ -87,9 +95,7 @@ Job read_design_job(const std::filesystem::path& path,
     return one.starts_with("design.start=");
   });
   all.push_back("sweep=" + json{{"design.start", starts}}.dump());
-  io::SweepFile file = io::read_sweep_text(text, path.string(), all);
-  return {path.string(), std::move(text), std::move(all), std::move(file),
-          true};
+  return job_of(path.string(), std::move(text), std::move(all), true);
 }
 
 Job read_design_map_job(const std::filesystem::path& path,
@@ -136,9 +142,7 @@ Job read_design_map_job(const std::filesystem::path& path,
   add(BodyKey::K, "scene.body.k", best.k);
   add(BodyKey::Radius, "scene.body.radius", best.radius);
   all.push_back("sweep=" + section.dump());
-  io::SweepFile file = io::read_sweep_text(text, path.string(), all);
-  return {path.string(), std::move(text), std::move(all), std::move(file),
-          false};
+  return job_of(path.string(), std::move(text), std::move(all), false);
 }
 
 std::string to_line(const Job& job) {
@@ -176,10 +180,8 @@ Job job_from_line(const std::string& line) {
   } catch (const json::exception& error) {
     throw JobError(error.what());
   }
-  io::SweepFile file =
-      io::read_sweep_text(text, name, overrides, points ? &*points : nullptr);
-  return {std::move(name), std::move(text), std::move(overrides),
-          std::move(file), of_design};
+  return job_of(name, std::move(text), std::move(overrides), of_design,
+                points ? &*points : nullptr);
 }
 
 std::string input_hash(const io::SweepFile& file) {

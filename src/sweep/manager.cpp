@@ -11,9 +11,7 @@
 #include <memory>
 #include <optional>
 #include <utility>
-#include <vector>
 
-#include "math/wall_clock.hpp"
 #include "sweep/outcome.hpp"
 #include "sweep/worker.hpp"
 

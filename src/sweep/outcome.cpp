@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "brachisto/report/result.hpp"
 #include "design/design_record.hpp"

@@ -3,6 +3,7 @@
 
 #include "sweep/sqlite.hpp"
 #include "math/enum_table.hpp"
+#include "report/rich_text.hpp"
 
 #include <sqlite3.h>
 #include <unistd.h>
@@ -30,14 +31,8 @@ std::string journal_of(const std::string& path) {
 
 /// With the characters escaped that mean something in a URI.
 std::string uri_path(const std::string& path) {
-  std::string text;
-  for (const char c : path) {
-    text += c == '%'   ? "%25"
-            : c == '?' ? "%3f"
-            : c == '#' ? "%23"
-                       : std::string(1, c);
-  }
-  return text;
+  using report::replaced;
+  return replaced(replaced(replaced(path, "%", "%25"), "?", "%3f"), "#", "%23");
 }
 
 }  // namespace

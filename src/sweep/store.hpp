@@ -13,7 +13,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "sweep/chain_plan.hpp"
 #include "sweep/damage.hpp"

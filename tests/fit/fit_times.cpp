@@ -10,7 +10,6 @@
 
 #include "brachisto/study/solve.hpp"
 #include "fit/synthetic.hpp"
-#include "fit/track.hpp"
 
 namespace brachisto {
 namespace {

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// Comparisons as tables of text.
+/// Measurements and comparisons as tables of text and as documents.
 
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "comparison/comparison.hpp"
@@ -23,5 +24,11 @@ namespace brachisto::comparison {
 
 /// "τ = 5.09344446661800(4) by the extremal method".
 [[nodiscard]] std::string reference_text(const Reference& reference);
+
+/// "17 + 12": iterations of the solver and Newton steps, where there are any.
+[[nodiscard]] std::string iterations_text(const Measurement& run);
+
+/// Outcome, cause, times and effort of a run; what there is not is null.
+[[nodiscard]] nlohmann::ordered_json document_of(const Measurement& run);
 
 }  // namespace brachisto::comparison

@@ -1,22 +1,36 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
+#include "comparison/pictures.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "comparison/finding.hpp"
-#include "comparison/looks.hpp"
 #include "comparison/methods.hpp"
-#include "comparison/pictures.hpp"
+#include "comparison/statistics.hpp"
+#include "math/enum_table.hpp"
 #include "report/chart.hpp"
+#include "report/rich_text.hpp"
 #include "report/track_kind.hpp"
 
 namespace brachisto::comparison {
+
+std::string in_words(const Subject& subject) {
+  const Scene& scene = subject.problem.scene;
+  std::string text = report::in_words(scene);
+  if (subject.limited()) {
+    text += fmt::format("; {}: {}", report::track_kind(scene),
+                        report::limits_in_words(scene));
+  }
+  return text;
+}
 
 namespace {
 
@@ -25,6 +39,101 @@ using report::Datum;
 using report::Mark;
 using report::Stroke;
 using Kind = ComparedMethod::Kind;
+
+/// Different in grey too.
+struct Look {
+  std::string colour;
+  report::Stroke stroke;
+  report::Mark mark;
+};
+
+/// \param degrees  number of lines of collocation, and which of them this is
+Look look_of(const ComparedMethod& method, std::size_t degrees,
+             std::size_t index) {
+  constexpr std::array kMarks{Mark::Disc, Mark::Circle, Mark::Square,
+                              Mark::Diamond, Mark::Triangle};
+  const auto arms =
+      table_by<DiscreteArm>(Look{"#a50026", Stroke::DashDotted, Mark::Triangle},
+                            Look{"#d95f02", Stroke::DashDotted, Mark::Circle},
+                            Look{"#8c510a", Stroke::Dotted, Mark::Diamond},
+                            Look{"#666666", Stroke::Dashed, Mark::Disc});
+  switch (method.kind) {
+    case Kind::RollingTime:
+      return {report::family_colours(degrees)[index], Stroke::Solid,
+              kMarks[index % kMarks.size()]};
+    case Kind::Adaptive:
+      return {"#000000", Stroke::Dotted, Mark::Diamond};
+    case Kind::ArcLength:
+      return {"#000000", Stroke::Dashed, Mark::Square};
+    case Kind::Extremal:
+      return {"#000000", Stroke::Solid, Mark::Triangle};
+    case Kind::DiscreteSystem:
+      return arms[method.arm];
+  }
+  return {};
+}
+
+/// Its label without what rich text would lower.
+std::string words(const ComparedMethod& method) {
+  std::string text = label(method);
+  std::ranges::replace(text, '_', ' ');
+  return text;
+}
+
+/// A chart of processor time over an error, both logarithmic.
+report::Chart chart_of(const char* name, const char* title, const char* error,
+                       const Subject& subject) {
+  report::Chart chart;
+  chart.name = name;
+  chart.title = title;
+  chart.subtitle = in_words(subject);
+  chart.x.label = error;
+  chart.y.label = "processor time [s]";
+  chart.x.scale = chart.y.scale = report::Scale::Logarithmic;
+  return chart;
+}
+
+/// Sides that leave room about errors and times, as a factor.
+void set_sides(report::Chart& chart, const report::Extent& errors,
+               const report::Extent& times, double room) {
+  chart.x.low = errors.low / room;
+  chart.x.high = errors.high * room;
+  chart.y.low = times.low / room;
+  chart.y.high = times.high * room;
+}
+
+/// The field from one error to another.
+std::vector<Datum> between(const report::Chart& chart, double left,
+                           double right) {
+  return {{left, *chart.y.low},
+          {right, *chart.y.low},
+          {right, *chart.y.high},
+          {left, *chart.y.high}};
+}
+
+/// Where errors cannot be told from that of the reference.
+void add_reference(report::Chart& chart, double error) {
+  if (!(error > *chart.x.low)) return;
+  chart.areas.push_back({.name = "error of the reference",
+                         .outline = between(chart, *chart.x.low, error),
+                         .fill = "#d9e6f2"});
+}
+
+/// A line upright at an error.
+void add_upright(report::Chart& chart, double error, Curve line) {
+  line.points = {{error, *chart.y.low}, {error, *chart.y.high}};
+  chart.curves.push_back(std::move(line));
+}
+
+void add_spoken_error(report::Chart& chart) {
+  add_upright(chart, kSpokenError,
+              {.name = "error of " + error_words(kSpokenError),
+               .points = {},
+               .stroke = Stroke::Dashed,
+               .colour = "#1f5fa8",
+               .width = 1.2,
+               .id = "spoken_error"});
+}
 
 /// What a diagram has to the right and upwards.
 struct Measure {
@@ -83,15 +192,10 @@ bool is_told(const WorkPrecision& found, const Measure& measure) {
 class Diagram {
  public:
   Diagram(const WorkPrecision& found, const Measure& measure)
-      : found_(found), measure_(measure) {
-    chart_.name = measure.name;
-    chart_.title = measure.title;
-    chart_.subtitle = in_words(found.subject);
-    chart_.x.label = measure.label;
-    chart_.x.scale = report::Scale::Logarithmic;
-    chart_.y.label = "processor time [s]";
-    chart_.y.scale = report::Scale::Logarithmic;
-  }
+      : found_(found),
+        measure_(measure),
+        chart_(chart_of(measure.name, measure.title, measure.label,
+                        found.subject)) {}
 
   [[nodiscard]] report::Chart draw() {
     const auto kind = [](const PrecisionLine& l) { return l.method.kind; };
@@ -106,10 +210,16 @@ class Diagram {
     set_ranges();
     if (!measure_.of_tau) return std::move(chart_);
     if (failures_ > 0) add_failures();
-    add_reference();
-    add_floor();
-    chart_.curves.push_back(
-        line_of_spoken_error(*chart_.y.low, *chart_.y.high));
+    add_reference(chart_, found_.reference.error);
+    add_upright(chart_, found_.tolerance(),
+                {.name = found_.polished() ? "KKT tolerance, before the polish"
+                                           : "KKT tolerance",
+                 .points = {},
+                 .stroke = Stroke::Dotted,
+                 .colour = kGrey,
+                 .width = 1.2,
+                 .id = "kkt_tolerance"});
+    add_spoken_error(chart_);
     return std::move(chart_);
   }
 
@@ -192,10 +302,7 @@ class Diagram {
     }
     if (!(xs_.low <= xs_.high)) return;  // nothing to show
     constexpr double kRoom = 2.5;
-    chart_.x.low = xs_.low / kRoom;
-    chart_.x.high = xs_.high * kRoom;
-    chart_.y.low = ys_.low / kRoom;
-    chart_.y.high = ys_.high * kRoom;
+    set_sides(chart_, xs_, ys_, kRoom);
   }
 
   /// Runs without a result have no error: they stand in a field of their own,
@@ -204,8 +311,8 @@ class Diagram {
     constexpr double kWidth = 1.6;  // decades
     const double left = *chart_.x.high;
     chart_.x.high = left * std::pow(10.0, kWidth);
-    chart_.areas.push_back(
-        {.name = "no result", .outline = between(left, *chart_.x.high)});
+    chart_.areas.push_back({.name = "no result",
+                            .outline = between(chart_, left, *chart_.x.high)});
     bool limited = false;
     int place = 0;
     for (std::size_t i = 0; i < found_.lines.size(); ++i) {
@@ -246,35 +353,6 @@ class Diagram {
          .id = "limit"});
   }
 
-  /// The field from one error to another.
-  [[nodiscard]] std::vector<Datum> between(double left, double right) const {
-    return {{left, *chart_.y.low},
-            {right, *chart_.y.low},
-            {right, *chart_.y.high},
-            {left, *chart_.y.high}};
-  }
-
-  /// Where errors cannot be told from that of the reference.
-  void add_reference() {
-    const double error = found_.reference.error;
-    if (!(error > *chart_.x.low)) return;
-    chart_.areas.push_back({.name = "error of the reference",
-                            .outline = between(*chart_.x.low, error),
-                            .fill = "#d9e6f2"});
-  }
-
-  void add_floor() {
-    const double x = found_.tolerance();
-    chart_.curves.push_back(
-        {.name = found_.polished() ? "KKT tolerance, before the polish"
-                                   : "KKT tolerance",
-         .points = {{x, *chart_.y.low}, {x, *chart_.y.high}},
-         .stroke = Stroke::Dotted,
-         .colour = kGrey,
-         .width = 1.2,
-         .id = "kkt_tolerance"});
-  }
-
   const WorkPrecision& found_;
   const Measure& measure_;
   report::Chart chart_;
@@ -303,6 +381,56 @@ std::vector<Picture> pictures_of(const WorkPrecision& found) {
                    measure.caption});
   }
   return out;
+}
+
+std::vector<Picture> pictures_of(const MethodComparison& made) {
+  constexpr double kRoom = 4.0;  // factors at the sides, for names
+  constexpr double kBar = 0.9;   // of a range of times [px]
+  if (!made.reference) return {};
+  report::Chart chart =
+      chart_of("compare", "Processor time against error, method by method",
+               "relative error of τ", made.subject);
+  chart.notes_apart = true;
+  report::Extent xs, ys;
+  for (const ComparisonRow& row : made.rows) {
+    if (!row.error || row.run.cpu.empty()) continue;
+    const Look look = look_of(row.method, 1, 0);
+    const Spread times = spread_of(row.run.cpu);
+    const double x = std::max({*row.error, made.reference->error,
+                               std::numeric_limits<double>::epsilon()});
+    const std::string name = report::as_rich_text(row.label);
+    chart.curves.push_back({.name = {},
+                            .points = {{x, times.least}, {x, times.greatest}},
+                            .colour = look.colour,
+                            .width = kBar,
+                            .id = row.label + " spread"});
+    chart.curves.push_back({.name = {},
+                            .points = {{x, times.median}},
+                            .colour = look.colour,
+                            .width = 0.0,
+                            .mark = look.mark,
+                            .mark_size = 1.0,
+                            .id = row.label});
+    chart.notes.push_back(
+        {.at = {x, times.median}, .text = name, .mark = report::Mark::None});
+    xs.include(x);
+    ys.include(times.least);
+    ys.include(times.greatest);
+  }
+  if (chart.curves.empty()) return {};
+  xs.include(kSpokenError);
+  set_sides(chart, xs, ys, kRoom);
+  add_spoken_error(chart);
+  add_reference(chart, made.reference->error);
+  return {
+      {report::chart_figure(chart),
+       fmt::format("Each mark is a method, those with a mesh on {} nodes; "
+                   "the nearer to the lower left, the better.",
+                   made.options.nodes) +
+           (made.subject.limited()
+                ? " The extremal method begins on the arcs that the program "
+                  "found, whose time is part of its own."
+                : "")}};
 }
 
 }  // namespace brachisto::comparison

@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "brachisto/math/clock.hpp"
-#include "math/dense.hpp"
+#include "refinement/junction_steps.hpp"
 
 namespace brachisto {
 
@@ -25,59 +25,6 @@ double length_of(const std::vector<Arc>& arcs, std::size_t i) {
 }
 
 using Vector = Eigen::VectorXd;
-
-/// Steps of junctions and slopes, with the optimality conditions eliminated.
-/// Columns and Jacobian are kept while they foretell what a step gains.
-class Border {
- public:
-  /// Where the open conditions ask to go; nothing if steps, the shorter they
-  /// are, gain no more of what they should, or are not determined.
-  ///
-  /// \param system  linearised
-  /// \param open    with the optimality conditions met, to first order
-  [[nodiscard]] std::optional<Vector> step(PathSystem& system,
-                                           const Vector& open) {
-    constexpr double kForeseen = 0.3, kPoor = 0.8, kLeastTrust = 1e-3;
-    if (last_step_.size() > 0) {
-      const Vector gained = jacobian_ * last_step_;
-      const Vector missed = open - last_open_ - gained;
-      const double share = missed.norm() / gained.norm();
-      if (share < kForeseen) {
-        trust_ = std::min(1.0, 3.0 * trust_);
-        // By Broyden's formula.
-        jacobian_ += missed * last_step_.transpose() / last_step_.squaredNorm();
-      } else {
-        columns_.clear();
-        if (share >= kPoor) trust_ *= 0.3;
-        if (trust_ < kLeastTrust) return std::nullopt;
-      }
-    }
-    if (columns_.empty()) {
-      columns_ = system.to_unknowns();
-      jacobian_ = jacobian_of(columns_);
-    }
-    last_open_ = open;
-    const Vector step = -trust_ * math::solve_square(jacobian_, open);
-    if (!step.allFinite()) return std::nullopt;
-    return step;
-  }
-  [[nodiscard]] Eigen::Index size() const { return last_open_.size(); }
-  /// What was done of it; nothing if no step was.
-  void went(const Vector& step) { last_step_ = step; }
-
-  /// Moves variables and multipliers as such a step asks them to.
-  void follow(const Vector& step, PrimalDual& point) const {
-    for (std::size_t i = 0; i < columns_.size(); ++i) {
-      move_along(point, columns_[i].point, step[static_cast<Eigen::Index>(i)]);
-    }
-  }
-
- private:
-  std::vector<PathRates> columns_;
-  Eigen::MatrixXd jacobian_;
-  Vector last_step_, last_open_;
-  double trust_ = 1.0;
-};
 
 class Fit {
  public:
@@ -177,7 +124,8 @@ class Fit {
     if (!system.move_to(now_, std::move(start))) {
       return fail("the arcs have no start");
     }
-    border_ = {};
+    steps_ = {};
+    drift_ = std::numeric_limits<double>::infinity();
     restorable_ = kRestorable;
     double last_left = std::numeric_limits<double>::infinity();
     for (int i = 0; i < kMostSteps; ++i) {
@@ -185,13 +133,13 @@ class Fit {
       if (!std::isfinite(left)) return fail("a junction has no slope");
       if (is_closed(system) && left > 0.5 * last_left) break;
       last_left = left;
-      if (!system.linearise()) {
+      if (!linearise(system)) {
         return fail("the optimality conditions of the arcs are singular");
       }
       // If it released one more of them.
-      if (system.open().size() != border_.size()) border_ = {};
+      if (system.open().size() != steps_.size()) steps_ = {};
       ++out_.newton_steps;
-      const PathRates newton = system.newton();
+      const PathRates newton = system.newton(left_by_factors());
       if (!newton.open.allFinite()) {
         return fail(
             "no solution of the optimality conditions of the arcs was found");
@@ -202,7 +150,7 @@ class Fit {
           system.residual() <= kNear &&
           left > std::max(kRounding, 1e-3 * system.residual());
       if (together) {
-        const auto wanted = border_.step(system, system.open() + newton.open);
+        const auto wanted = steps_.step(system, system.open() + newton.open);
         if (!wanted) break;
         step = *wanted;
         if (drop_vanishing(step, system)) return Outcome::Vanished;
@@ -210,7 +158,7 @@ class Fit {
       const double before = system.residual();
       if (advance(system, newton, step)) {
         if (together) {
-          border_.went(step);
+          steps_.went(step);
         } else {
           learn_what_is_restored(before, system.residual());
         }
@@ -220,7 +168,7 @@ class Fit {
       // not yet.
       step.setZero();
       if (!advance(system, newton, step)) break;
-      border_.went({});
+      steps_.went({});
     }
     if (!is_closed(system)) {  // else what is left is rounding
       lost_ = true;
@@ -249,11 +197,38 @@ class Fit {
     }
   }
 
+  /// Factors serve for other arcs that are nearly the same: what they leave of
+  /// the residual is taken on by the next step. False if new ones are singular.
+  [[nodiscard]] bool linearise(PathSystem& system) {
+    constexpr double kSame = 1e-3, kSmall = 1e-4;
+    if (drift_ <= kSame && system.residual() <= kSmall) return true;
+    drift_ = 0.0;
+    return system.linearise();
+  }
+  /// Of a right-hand side.
+  [[nodiscard]] double left_by_factors() const {
+    constexpr double kOfNewOnes = 1e-6, kOfOthers = 1e-2;
+    return drift_ == 0.0 ? kOfNewOnes : kOfOthers;
+  }
+  /// By how much elements and slopes are others since.
+  [[nodiscard]] double drift_from(const PathSetting& before) const {
+    double most = std::abs(now_.ends.phi - before.ends.phi);
+    if (now_.ends.start) {
+      most = std::max(most, std::abs(*now_.ends.start - *before.ends.start));
+    }
+    for (std::size_t i = 0; i < now_.arcs.size(); ++i) {
+      const double ratio = length_of(now_.arcs, i) / length_of(before.arcs, i);
+      most = std::max(most, std::abs(ratio - 1.0));
+    }
+    return most;
+  }
+
   /// Newton's step, with another of the junctions and slopes, which becomes
   /// what was done of it; shorter until the optimality conditions come nearer,
   /// or stay near enough for the next step to restore them.
   bool advance(PathSystem& system, const PathRates& newton, Vector& step) {
     constexpr int kHalvings = 6;
+    constexpr double kMoved = 1e-5;  // along the arcs
     const PathSetting from = now_;
     const PrimalDual start = system.point();
     const double residual = system.residual();
@@ -265,7 +240,7 @@ class Fit {
       if (!wanted.isZero()) move(step, now_);
       PrimalDual point = start;
       move_along(point, newton.point, length);
-      border_.follow(step, point);
+      steps_.follow(step, point);
       if (!system.move_to(now_, std::move(point)) ||
           !system.open().allFinite()) {
         continue;
@@ -273,6 +248,7 @@ class Fit {
       const double next = system.residual();
       if (next < residual || (residual > kNear && next < 2.0 * residual) ||
           (!wanted.isZero() && next <= restorable_)) {
+        drift_ += std::max(drift_from(from), kMoved);
         return true;
       }
     }
@@ -302,12 +278,12 @@ class Fit {
   /// junctions that move by rounding disturb them.
   void polish(PathSystem& system) {
     constexpr int kMostSteps = 5;
-    border_ = {};
-    for (int i = 0; i < kMostSteps && system.linearise(); ++i) {
+    steps_ = {};
+    for (int i = 0; i < kMostSteps && linearise(system); ++i) {
       const double before = system.residual();
       Vector none = Vector::Zero(system.open().size());
       ++out_.newton_steps;
-      if (!advance(system, system.newton(), none)) return;
+      if (!advance(system, system.newton(left_by_factors()), none)) return;
       if (system.residual() > 0.5 * before) return;
     }
   }
@@ -376,8 +352,9 @@ class Fit {
   PathSetting now_;
   const LimitedCurve& nearby_;
   std::optional<LimitedCurve> kept_;
-  Border border_;
+  JunctionSteps steps_;
   bool lost_ = false;
+  double drift_ = 0.0;  ///< since the system was factorised
   double boldest_;
   double restorable_ =
       kRestorable;  ///< residual after which it is found to fall again

@@ -52,7 +52,7 @@ LimitedRates::LimitedRates(FittedPath path)
               path_.curve.problem().mesh().degree),
       regular_(system_.move_to(system_.setting(), path_.curve.point()) &&
                system_.linearise()) {
-  if (regular()) unknowns_ = system_.to_unknowns();
+  if (regular()) unknowns_ = system_.to_unknowns(RatesOf::Time);
 }
 
 TimeRate LimitedRates::price(const std::vector<PathInequality>& less,
@@ -85,10 +85,9 @@ TimeRate LimitedRates::by(SceneCoordinate coordinate) {
 
 TimeRate LimitedRates::along(PathSetting less, PathSetting more, double width) {
   TimeRate out;
-  double change = system_.lagrangian(more) - system_.lagrangian(less);
   // Bounds alone move no variable that is fixed.
-  if (more.scene) change += system_.of_fixed(more) - system_.of_fixed(less);
-  out.at_fixed_contacts = change / width;
+  const double of_fixed =
+      more.scene ? system_.of_fixed(more) - system_.of_fixed(less) : 0.0;
   const LimitedEnds& ends = system_.setting().ends;
   if (ends.start_slope_fixed && ends.start && !system_.problem().pushed()) {
     // The static cone turns with the bound, and with the body.
@@ -102,7 +101,10 @@ TimeRate LimitedRates::along(PathSetting less, PathSetting more, double width) {
       more.ends.start = second;
     }
   }
-  out.total = closed_rate(system_.to(less, more, width), unknowns_);
+  // The slope at A is one of the values that are fixed.
+  double lagrangian = 0.0;
+  out.total = closed_rate(system_.to(less, more, width, lagrangian), unknowns_);
+  out.at_fixed_contacts = lagrangian + of_fixed / width;
   return out;
 }
 

@@ -29,13 +29,15 @@ struct PathSetting {
   std::optional<Scene> scene = {};
 };
 
-/// A direction of variables and multipliers, and the rates of the time and of
-/// the open conditions along it, what it follows included.
+/// A direction of variables and multipliers, or the rate of the time along it,
+/// and the rates of the open conditions, what it follows included.
 struct PathRates {
   std::vector<double> point;
-  double time = 0.0;
   Eigen::VectorXd open;
+  double time = 0.0;
 };
+/// Which of the two.
+enum class RatesOf { Point, Time };
 
 /// Moves variables and multipliers so far along a direction.
 void move_along(PrimalDual& point, std::span<const double> direction,
@@ -57,47 +59,58 @@ class PathSystem {
   PathSystem(const PathSystem&) = delete;
   PathSystem& operator=(const PathSystem&) = delete;
 
-  [[nodiscard]] const LimitedTime& problem() const { return problem_; }
+  [[nodiscard]] const LimitedTime& problem() const { return *problem_; }
   [[nodiscard]] const PathSetting& setting() const { return setting_; }
 
   /// Moves to a setting with the same arcs, perhaps of other lengths. False if
   /// the point is refused.
   [[nodiscard]] bool move_to(PathSetting setting, PrimalDual point);
   [[nodiscard]] const PrimalDual& point() const { return point_; }
-  [[nodiscard]] LimitedCurve curve() const { return {problem_, point_}; }
+  [[nodiscard]] LimitedCurve curve() const { return {*problem_, point_}; }
   /// The largest of the optimality conditions that are not released.
   [[nodiscard]] double residual() const;
   [[nodiscard]] const Eigen::VectorXd& open() const { return open_; }
 
-  /// Of the optimality conditions, for all that follows. False if they are
+  /// Of the optimality conditions, for all that follows, at points nearby too.
+  /// False if they are
   /// singular. If it takes that, another one is released for good, by which
   /// open() grows.
   [[nodiscard]] bool linearise();
 
   /// Newton's step of the optimality conditions, everything else fixed.
-  [[nodiscard]] PathRates newton();
+  /// \param enough  what may be left of the residual by the factors of another
+  ///                point, if not those of this one: relative
+  [[nodiscard]] PathRates newton(double enough);
   /// To the junctions, the slopes that are sought and the multipliers of what
   /// is released, in the order of the open conditions that determine them, the
   /// optimality conditions being kept.
-  [[nodiscard]] std::vector<PathRates> to_unknowns();
+  [[nodiscard]] std::vector<PathRates> to_unknowns(RatesOf asked);
   /// The same to scene, bounds and ends, by central differences of residuals,
   /// which are explicit in the setting.
-  /// \param width  of the step from `less` to `more`, in whatever changes
+  /// \param width       of the step from `less` to `more`, in whatever changes
+  /// \param lagrangian  [out] the rate of f + λᵀ(g − bounds), the point being
+  ///                    kept: that of the time, whatever the optimality
+  ///                    conditions leave to move
   [[nodiscard]] PathRates to(const PathSetting& less, const PathSetting& more,
-                             double width);
+                             double width, double& lagrangian);
 
-  /// f + λᵀ(g − bounds) of the point where the setting is another: its rate is
-  /// that of the time, whatever the optimality conditions leave to move.
-  [[nodiscard]] double lagrangian(const PathSetting& changed) const;
-  /// What the values that fixed variables have there add to it, to first order.
-  [[nodiscard]] double of_fixed(const PathSetting& changed) const;
+  /// What the values that fixed variables have in another setting add to the
+  /// Lagrangian, to first order.
+  [[nodiscard]] double of_fixed(const PathSetting& changed);
 
  private:
-  [[nodiscard]] LimitedTime problem_of(const PathSetting& changed) const;
+  /// That of another setting. Until it is asked for the next.
+  [[nodiscard]] std::shared_ptr<LimitedTime> problem_of(
+      const PathSetting& changed);
   /// A point, θ turned as in the scene of a setting.
   [[nodiscard]] PrimalDual turned(PrimalDual point,
                                   const PathSetting& changed) const;
-  [[nodiscard]] std::vector<double> residual_of(const PathSetting& changed);
+  struct Elsewhere {
+    std::vector<double> residual;
+    double lagrangian;
+  };
+  [[nodiscard]] Elsewhere evaluated(const PathSetting& changed);
+  [[nodiscard]] bool evaluate();
   void release(std::vector<int> rows);
   /// What is touched, and the place where the path ends.
   [[nodiscard]] std::vector<int> with_end() const;
@@ -105,12 +118,14 @@ class PathSystem {
                                         const PathSetting& setting) const;
   [[nodiscard]] PathRates along(std::span<const double> rhs,
                                 const PathSetting& less,
-                                const PathSetting& more, double width);
+                                const PathSetting& more, double width,
+                                RatesOf asked, double enough = 1e-6);
 
   const Scene& scene_;
   PathSetting setting_;
-  LimitedTime problem_;
-  std::vector<int> released_;  ///< constraints
+  std::shared_ptr<LimitedTime> problem_;
+  std::shared_ptr<LimitedTime> moved_;  ///< of settings next to it
+  std::vector<int> released_;           ///< constraints
   std::unique_ptr<KktSystem> system_;
   std::unique_ptr<BorderedChain> chain_;
   PrimalDual point_;

@@ -72,6 +72,7 @@ bool BorderedChain::factorise() {
   const std::array<std::span<const double>, 2> values = {system_.hess_lag(),
                                                          system_.jac_g()};
   pivot_ = 0.0;
+  at_once_ = false;
   if (!chain_->factorise(values) || chain_->inertia().zero > 0) return false;
   pivot_ = 1.0;
   if (system_.tangency() == nullptr) return true;
@@ -161,6 +162,7 @@ bool BorderedChain::solve(std::span<const double> b, std::span<double> x,
     residual(b, x, correction);
     const double left = largest(correction);
     if (!std::isfinite(left)) return false;
+    at_once_ = refinement == 0 && left <= enough * size;
     if (left <= enough * size) return true;
     if (left > 0.5 * last || refinement == kRefinements) {
       return left <= kOfUse * size;
@@ -169,6 +171,15 @@ bool BorderedChain::solve(std::span<const double> b, std::span<double> x,
     for (std::size_t i = 0; i < x.size(); ++i) x[i] += correction[i];
     last = left;
   }
+}
+
+bool BorderedChain::solve_alike(std::span<const double> b, std::span<double> x,
+                                double enough) {
+  if (!at_once_) return solve(b, x, enough);
+  const PhaseTimer timer(Phase::Solution);
+  std::ranges::copy(b, x.begin());
+  solve_once(x);
+  return true;
 }
 
 }  // namespace brachisto

@@ -54,6 +54,10 @@ class BorderedChain {
   ///                seen, and taken on, by the next.
   [[nodiscard]] bool solve(std::span<const double> b, std::span<double> x,
                            double enough = 1e-6);
+  /// The same for a right-hand side of which less depends. It is not checked
+  /// where the last one was found at once, by the same factors.
+  [[nodiscard]] bool solve_alike(std::span<const double> b, std::span<double> x,
+                                 double enough);
 
  private:
   BorderedChain(const KktSystem& system, std::unique_ptr<ChainLdlt> chain);
@@ -69,6 +73,7 @@ class BorderedChain {
   std::unique_ptr<ChainLdlt> chain_;
   std::vector<double> column_;  ///< K⁻¹Cρ, and −ρ for v
   double pivot_ = 1.0;          ///< σ
+  bool at_once_ = false;        ///< the last solution, without refinement
 };
 
 }  // namespace brachisto

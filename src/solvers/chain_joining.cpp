@@ -91,7 +91,7 @@ void ChainLdlt::join(Section& section, Worker& worker, int level, int first,
     keep_piece(section, below[at(half.batch)], half.lane, half.first,
                half.last);
   });
-  const int batch = (first - section.first) / (kLanes << level);
+  const int batch = (first - section.links.front()) / (kLanes << level);
   Child& joined = worker.children[at(level)][at(batch % 2)];
   joined.failed = joint.failed;
   joined.analysis = nullptr;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "brachisto/math/index.hpp"
@@ -37,18 +38,34 @@ std::unique_ptr<ChainLdlt> ChainLdlt::make(
 ChainLdlt::ChainLdlt(ChainMap map, std::vector<double> scale)
     : map_(std::move(map)),
       scale_(std::move(scale)),
+      products_(map_.runs().begin(), map_.runs().end()),
       plans_(map_.runs().size()),
       workers_(at(ChainScope::threads())) {
+  std::size_t most = 0;
   for (std::size_t r = 0; r < plans_.size(); ++r) {
-    const int links = map_.runs()[r].num_links;
-    if (links > map_.runs()[longest_].num_links) longest_ = r;
-    for (int first = 0; first < links; first += kSection) {
+    const Run& run = map_.runs()[r];
+    if (run.links().size() > most) longest_ = r;
+    most = std::max(most, run.links().size());
+    const auto add = [&](std::vector<int> links, bool joined) {
       Section& section = sections_.emplace_back();
       section.run = r;
-      section.first = first;
-      section.num_links = std::min(kSection, links - first);
-      section.batches.resize(at((section.num_links + kLanes - 1) / kLanes));
+      section.batches.resize((links.size() + kLanes - 1) / kLanes);
+      section.links = std::move(links);
+      section.joined = joined;
+    };
+    std::vector<int> apart;
+    for (const auto& [begin, end] : run.stretches) {
+      for (int first = begin; first < end; first += kSection) {
+        std::vector<int> links(at(std::min(kSection, end - first)));
+        std::iota(links.begin(), links.end(), first);
+        if (links.size() == kSection) {
+          add(std::move(links), true);
+        } else {
+          apart.insert(apart.end(), links.begin(), links.end());
+        }
+      }
     }
+    if (!apart.empty()) add(std::move(apart), false);
   }
 }
 
@@ -146,7 +163,8 @@ void ChainLdlt::begin_run(const Run& run, Plan& plan) {
     std::erase_if(sequences, [](const auto& s) { return !s->used; });
   }
   for (auto& sequence : sequences) sequence->used = false;
-  const int sample = run.num_links / 2;
+  const std::vector<int> links = run.links();
+  const int sample = links[links.size() / 2];
   const std::vector<char> nonzero = nonzero_of(run, sample);
   const auto found =
       std::find_if(sequences.begin(), sequences.end(),

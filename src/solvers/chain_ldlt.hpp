@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <span>
@@ -169,14 +170,18 @@ class ChainLdlt {
   /// Links of a run that are factorised by one thread.
   struct Section {
     std::size_t run = 0;
-    int first = 0, num_links = 0;
+    std::vector<int> links;
+    bool joined = false;  ///< neighbours, as many as can be
     std::vector<Batch> batches;
     std::vector<Joint> joints;  ///< in the order of their elimination
     std::vector<Piece> pieces;  ///< along the chain
     std::vector<double> schur;
     int negative = 0, dense_links = 0;
     double largest = 0.0;
-    [[nodiscard]] bool joined() const { return num_links == kSection; }
+    /// How many there are in a batch, from `begin` on.
+    [[nodiscard]] int batch_at(std::size_t begin) const {
+      return std::min(kLanes, static_cast<int>(links.size() - begin));
+    }
   };
   /// How the links of a run are factorised.
   struct Plan {
@@ -198,6 +203,16 @@ class ChainLdlt {
     std::vector<Lanes> scale;  ///< of the local unknowns of a batch
   };
   using Run = ChainMap::Run;
+  /// Which products make up the rows of a link: entries and their mirror
+  /// images, row by row, so that sums are complete one by one.
+  struct Products {
+    struct Factor {
+      int value, col;
+    };
+    std::vector<Factor> factors;
+    std::vector<std::size_t> ends;  ///< of each row
+    explicit Products(const Run& run);
+  };
 
   ChainLdlt(ChainMap map, std::vector<double> scale);
 
@@ -230,13 +245,13 @@ class ChainLdlt {
   void factorise_section(Section& section, Worker& worker, bool choosing);
   [[nodiscard]] Batch factorise_batch(Section& section, Worker& worker,
                                       std::vector<Sequence*>& sequences,
-                                      int first, int count) const;
+                                      std::span<const int> links) const;
   [[nodiscard]] Batch with_sequence(Section& section, Worker& worker,
-                                    Sequence& sequence, int first,
-                                    int count) const;
+                                    Sequence& sequence,
+                                    std::span<const int> links) const;
   [[nodiscard]] unsigned fill(Section& section, Worker& worker,
-                              const Sequence& sequence, int first, int count,
-                              Lanes* slots) const;
+                              const Sequence& sequence,
+                              std::span<const int> links, Lanes* slots) const;
   static void keep_piece(Section& section, const Child& child, int lane,
                          int first, int last);
 
@@ -263,6 +278,7 @@ class ChainLdlt {
   ChainMap map_;
   std::vector<double> scale_;  ///< of the structure, by unknown
   std::shared_ptr<PivotStore> store_ = ChainScope::store();
+  std::vector<Products> products_;  ///< of each run
   std::vector<Plan> plans_;
   std::size_t longest_ = 0;  ///< run with the most links
   std::vector<Section> sections_;

@@ -69,7 +69,12 @@ class LinkUnknowns {
   /// The link as a run of its own.
   [[nodiscard]] Run run(const std::vector<int>& border,
                         std::vector<Entry> entries) const {
-    Run out{1, interior_, left_, right_, {}, std::move(entries)};
+    Run out{.num_links = 1,
+            .interior = interior_,
+            .left = left_,
+            .right = right_,
+            .unknowns = {},
+            .entries = std::move(entries)};
     for_each([&](int, int unknown) { out.unknowns.push_back({unknown, 0}); });
     for (const int unknown : border) out.unknowns.push_back({unknown, 0});
     return out;
@@ -197,11 +202,12 @@ std::optional<std::vector<int>> places_in(const Run& some, const Run& all,
   return out;
 }
 
-/// Takes the link before or after a run into it, if it is one of its links but
-/// for unknowns that are absent.
-bool take_in(Run& run, const Run& end, bool before) {
+/// Takes the link at an end of the chain into a run, if it is one of its links
+/// but for unknowns that are absent.
+bool take_in(Run& run, const Run& end) {
   if (run.num_links < 2 || end.num_links != 1) return false;
-  const int place = before ? -1 : run.num_links;
+  const int place = end.position - run.position;
+  const bool before = place < 0;
   const auto places = places_in(end, run, place);
   if (!places) return false;
   std::vector<char> lacking(run.entries.size());
@@ -221,8 +227,9 @@ bool take_in(Run& run, const Run& end, bool before) {
     }
   }
   if (next != end.entries.size()) return false;
+  const int shift = before ? -place : 0;  // of the numbers of its links
   const auto extend = [&](Affine& what, bool lacks) {
-    if (before) what.first -= what.stride;
+    what.first -= what.stride * shift;
     (before ? what.not_in_first : what.not_in_last) = lacks;
   };
   for (std::size_t k = 0; k < run.unknowns.size(); ++k) {
@@ -231,7 +238,62 @@ bool take_in(Run& run, const Run& end, bool before) {
   for (std::size_t k = 0; k < run.entries.size(); ++k) {
     extend(run.entries[k].source, lacking[k] != 0);
   }
-  ++run.num_links;
+  for (ChainMap::Links& links : run.stretches) {
+    links.begin += shift;
+    links.end += shift;
+  }
+  run.position -= shift;
+  run.num_links = before ? run.num_links + shift : place + 1;
+  const int number = before ? 0 : place;
+  run.stretches.insert(before ? run.stretches.begin() : run.stretches.end(),
+                       {number, number + 1});
+  return true;
+}
+
+/// Calls visit(place in one, place in the other) for all unknowns and sources
+/// of runs of the same shape until it answers false, which is the answer.
+template <class Some, class Visit>
+bool all_places(Some& one, const Run& other, Visit&& visit) {
+  for (std::size_t k = 0; k < one.unknowns.size(); ++k) {
+    if (!visit(one.unknowns[k], other.unknowns[k])) return false;
+  }
+  for (std::size_t k = 0; k < one.entries.size(); ++k) {
+    if (!visit(one.entries[k].source, other.entries[k].source)) return false;
+  }
+  return true;
+}
+
+/// Takes the links of a later run as its own, if they are such.
+bool unite(Run& run, const Run& later) {
+  const int ahead = later.position - run.position;
+  const bool alike =
+      run.interior == later.interior && run.left == later.left &&
+      run.right == later.right &&
+      run.unknowns.size() == later.unknowns.size() &&
+      std::ranges::equal(
+          run.entries, later.entries, [](const Entry& a, const Entry& b) {
+            return a.row == b.row && a.col == b.col && a.array == b.array;
+          });
+  if (!alike) return false;
+  // A single link has no stride yet.
+  const auto stride_of = [&](const Affine& own, const Affine& of_later) {
+    if (run.num_links > 1) return own.stride;
+    if (later.num_links > 1) return of_later.stride;
+    return (of_later.first - own.first) / ahead;
+  };
+  const bool go_on =
+      all_places(run, later, [&](const Affine& own, const Affine& of_later) {
+        const std::ptrdiff_t stride = stride_of(own, of_later);
+        return own.first + stride * ahead == of_later.first &&
+               (later.num_links == 1 || of_later.stride == stride);
+      });
+  if (!go_on) return false;
+  all_places(run, later, [&](Affine& own, const Affine& of_later) {
+    own.stride = stride_of(own, of_later);
+    return true;
+  });
+  run.num_links = ahead + later.num_links;
+  run.stretches.push_back({ahead, run.num_links});
   return true;
 }
 
@@ -321,14 +383,54 @@ bool ChainMap::read(const ChainBlocks& blocks,
                                {static_cast<std::ptrdiff_t>(entry), 0}});
   }
   couplings_ = by_link.couplings();
-  const std::size_t last = runs_.size() - 1;
-  if (last > 0 && take_in(runs_[last - 1], runs_[last], false)) {
-    runs_.pop_back();
-  }
-  if (runs_.size() > 1 && take_in(runs_[1], runs_[0], true)) {
-    runs_.erase(runs_.begin());
-  }
+  unite_runs();
   return true;
+}
+
+void ChainMap::unite_runs() {
+  constexpr std::size_t kKinds = 32;  // of which a run may be, or a new one
+  std::vector<Run> united;
+  int position = 0;
+  for (Run& run : runs_) {
+    run.position = position;
+    run.stretches = {{0, run.num_links}};
+    position += run.num_links;
+    const auto known = std::span(united).last(std::min(kKinds, united.size()));
+    if (std::ranges::none_of(known,
+                             [&](Run& one) { return unite(one, run); })) {
+      united.push_back(std::move(run));
+    }
+  }
+  runs_ = std::move(united);
+  for (const int end : {num_links_ - 1, 0}) {
+    const auto own = std::ranges::find_if(runs_, [&](const Run& run) {
+      return run.num_links == 1 && run.position == end;
+    });
+    if (own == runs_.end()) continue;
+    const bool taken = std::any_of(runs_.begin(), runs_.end(), [&](Run& run) {
+      return &run != &*own && take_in(run, *own);
+    });
+    if (taken) runs_.erase(own);
+  }
+}
+
+std::vector<ChainMap::Stretch> ChainMap::along_chain() const {
+  std::vector<Stretch> out;
+  for (std::size_t r = 0; r < runs_.size(); ++r) {
+    for (const Links& links : runs_[r].stretches) out.push_back({r, links});
+  }
+  std::ranges::sort(out, {}, [&](const Stretch& one) {
+    return runs_[one.run].position + one.links.begin;
+  });
+  return out;
+}
+
+std::vector<int> ChainMap::Run::links() const {
+  std::vector<int> out;
+  for (const auto& [begin, end] : stretches) {
+    for (int link = begin; link < end; ++link) out.push_back(link);
+  }
+  return out;
 }
 
 }  // namespace brachisto

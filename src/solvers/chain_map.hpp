@@ -26,13 +26,13 @@ struct EntryPositions {
   int row_offset = 0;  ///< added to each row
 };
 
-/// A chain cut into runs of links that look alike: the same entries at the same
-/// places of the link, with unknowns and values at places of the caller's
-/// arrays that advance by a constant from link to link. A link at the end of
-/// the chain is part of the run beside it if it is such a link but for unknowns
-/// that are absent. A uniform problem thus has one run, and needs memory for
-/// one link; the worst case, a run for each link, is linear in the number of
-/// entries.
+/// The links of a chain in runs of those that look alike: the same entries at
+/// the same places of the link, with unknowns and values at places of the
+/// caller's arrays that advance by a constant from link to link of the chain,
+/// perhaps with links of other runs between them. A link at the end of the
+/// chain is part of a run if it is such a link but for unknowns that are
+/// absent. A uniform problem thus has one run, and needs memory for one link;
+/// the worst case, a run for each link, is linear in the number of entries.
 class ChainMap {
  public:
   /// The place first + stride i for link i of a run.
@@ -58,11 +58,15 @@ class ChainMap {
   /// Local unknowns are numbered: interior, left separator, right separator,
   /// border. A separator's own entries belong to one of the links beside it.
   struct Run {
-    int num_links = 0;
+    int position = 0;   ///< in the chain, of its link 0
+    int num_links = 0;  ///< to the last one, as if all between were its own
+    std::vector<Links> stretches = {};  ///< those that are
     int interior = 0, left = 0, right = 0;
     std::vector<Affine> unknowns;  ///< places in vectors of the caller
     std::vector<Entry> entries;
     [[nodiscard]] int size() const { return static_cast<int>(unknowns.size()); }
+    /// The numbers of its own links.
+    [[nodiscard]] std::vector<int> links() const;
     /// Those of some links that have an unknown or an entry.
     [[nodiscard]] Links having(const Affine& what, Links among) const {
       return {
@@ -93,6 +97,12 @@ class ChainMap {
   [[nodiscard]] int num_links() const { return num_links_; }
   [[nodiscard]] int num_unknowns() const { return num_unknowns_; }
   [[nodiscard]] const std::vector<Run>& runs() const { return runs_; }
+  /// The stretches of all runs along the chain.
+  struct Stretch {
+    std::size_t run;
+    Links links;
+  };
+  [[nodiscard]] std::vector<Stretch> along_chain() const;
   /// Unknowns of the border, and its own entries by number in the border.
   [[nodiscard]] const std::vector<int>& border() const { return border_; }
   [[nodiscard]] const std::vector<Entry>& border_entries() const {
@@ -109,6 +119,7 @@ class ChainMap {
   [[nodiscard]] bool read(const ChainBlocks& blocks,
                           std::span<const EntryPositions> positions,
                           EntriesByLink& by_link, bool in_order);
+  void unite_runs();
 
   int num_links_ = 0;
   int num_unknowns_ = 0;  ///< without absent ones

@@ -36,7 +36,7 @@ void ChainLdlt::factorise_run(std::size_t r) {
   for (Section& section : sections_) {
     if (section.run != r) continue;
     all.push_back(&section);
-    if (section.joined()) joined.push_back(&section);
+    if (section.joined) joined.push_back(&section);
   }
   find_targets(map_.runs()[r], plans_[r]);
   std::vector<Section*> left = all;
@@ -126,12 +126,13 @@ void ChainLdlt::factorise_section(Section& section, Worker& worker,
   for (const auto& sequence : plans_[section.run].sequences) {
     sequences.push_back(sequence.get());
   }
-  const int end = section.first + section.num_links;
   int k = 0;
-  for (int first = section.first; first < end; first += kLanes, ++k) {
-    const int count = std::min(kLanes, end - first);
+  for (std::size_t begin = 0; begin < section.links.size();
+       begin += kLanes, ++k) {
+    const int count = section.batch_at(begin);
+    const auto links = std::span(section.links).subspan(begin, at(count));
     Batch& batch = section.batches[at(k)];
-    batch = factorise_batch(section, worker, sequences, first, count);
+    batch = factorise_batch(section, worker, sequences, links);
     section.negative += batch.negative;
     Child& child = worker.children[0][at(k % 2)];
     child.failed = batch.failed;
@@ -140,16 +141,17 @@ void ChainLdlt::factorise_section(Section& section, Worker& worker,
       child.take(batch.sequence->analysis(), batch.slots);
     }
     for (int b = 0; b < count; ++b) {
+      const int link = links[at(b)];
       if (bit(batch.failed, b)) {
-        section.pieces.push_back({first + b, first + b});
+        section.pieces.push_back({link, link});
         ++section.dense_links;
-      } else if (!section.joined()) {
-        keep_piece(section, child, b, first + b, first + b);
+      } else if (!section.joined) {
+        keep_piece(section, child, b, link, link);
       }
     }
-    if (!section.joined()) continue;
+    if (!section.joined) continue;
     for (int level = 1; (k + 1) % (1 << level) == 0; ++level) {
-      join(section, worker, level, first + kLanes - (kLanes << level),
+      join(section, worker, level, links.front() + kLanes - (kLanes << level),
            choosing);
       if (level == kLevels) break;
     }
@@ -161,11 +163,11 @@ void ChainLdlt::factorise_section(Section& section, Worker& worker,
 /// of them, which is tried first from then on.
 ChainLdlt::Batch ChainLdlt::factorise_batch(Section& section, Worker& worker,
                                             std::vector<Sequence*>& sequences,
-                                            int first, int count) const {
+                                            std::span<const int> links) const {
   Batch best;
   const Sequence* last = nullptr;
   const auto done_by = [&](Sequence* sequence) {
-    const Batch batch = with_sequence(section, worker, *sequence, first, count);
+    const Batch batch = with_sequence(section, worker, *sequence, links);
     last = sequence;
     if (std::popcount(batch.failed) < std::popcount(best.failed)) best = batch;
     return best.failed == 0;
@@ -176,7 +178,7 @@ ChainLdlt::Batch ChainLdlt::factorise_batch(Section& section, Worker& worker,
   }
   if (best.sequence == nullptr) return best;
   if (best.sequence != last) {
-    best = with_sequence(section, worker, *best.sequence, first, count);
+    best = with_sequence(section, worker, *best.sequence, links);
   }
   worker.arena.keep(at(best.sequence->analysis().num_factor_slots));
   return best;
@@ -184,24 +186,25 @@ ChainLdlt::Batch ChainLdlt::factorise_batch(Section& section, Worker& worker,
 
 /// Factorises the interiors of some links where the arena ends.
 ChainLdlt::Batch ChainLdlt::with_sequence(Section& section, Worker& worker,
-                                          Sequence& sequence, int first,
-                                          int count) const {
+                                          Sequence& sequence,
+                                          std::span<const int> links) const {
+  const int count = static_cast<int>(links.size());
   const SymbolicAnalysis& analysis = sequence.analysis();
   Batch batch{.sequence = &sequence,
               .slots = worker.arena.top(at(analysis.num_slots))};
-  batch.failed = fill(section, worker, sequence, first, count, batch.slots);
+  batch.failed = fill(section, worker, sequence, links, batch.slots);
   FactorisationOutcome outcome;
-  numeric_factorisation(analysis, batch.slots, outcome);
+  numeric_factorisation(analysis, batch.slots, outcome, count);
   batch.failed |= grown(outcome);
   batch.failed &= (1U << at(count)) - 1U;
   batch.negative = negative_in(outcome, batch.failed, count);
   return batch;
 }
 
-/// Gathers the matrices of `count` links, idle lanes repeating the last one. A
+/// Gathers the matrices of links, idle lanes repeating the last one. A
 /// bit to each link with an entry that was assumed to be zero.
 unsigned ChainLdlt::fill(Section& section, Worker& worker,
-                         const Sequence& sequence, int first, int count,
+                         const Sequence& sequence, std::span<const int> of,
                          Lanes* slots) const {
   const Run& run = map_.runs()[section.run];
   for (const int slot : sequence.others) slots[slot] = {};
@@ -209,7 +212,7 @@ unsigned ChainLdlt::fill(Section& section, Worker& worker,
   std::fill_n(largest.lane, kLanes, section.largest);
   LaneLinks links;
   for (int b = 0; b < kLanes; ++b) {
-    links[at(b)] = first + std::min(b, count - 1);
+    links[at(b)] = of[std::min(at(b), of.size() - 1)];
   }
   std::vector<Lanes>& scale = worker.scale;
   if (!scale_.empty()) {
@@ -224,7 +227,7 @@ unsigned ChainLdlt::fill(Section& section, Worker& worker,
     }
   }
   // Of those at the ends some have no place: one by one.
-  const bool at_end = first == 0 || first + count == run.num_links;
+  const bool at_end = of.front() == 0 || of.back() == run.num_links - 1;
   const std::span<const LaneSource> sources = sequence.sources;
   std::size_t k = at_end ? sequence.num_whole : sources.size();
   unsigned misfits =

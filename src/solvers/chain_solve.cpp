@@ -45,6 +45,24 @@ void for_each_lane(const Run& run, const Affine& unknown, int first, int step,
 
 }  // namespace
 
+ChainLdlt::Products::Products(const Run& run) {
+  const auto for_each_factor = [&](auto&& visit) {
+    int value = 0;
+    for (const ChainMap::Entry& entry : run.entries) {
+      visit(entry.row, entry.col, value);
+      if (entry.row != entry.col) visit(entry.col, entry.row, value);
+      ++value;
+    }
+  };
+  ends.resize(run.unknowns.size() + 1);
+  for_each_factor([&](int row, int, int) { ++ends[at(row) + 1]; });
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  factors.resize(ends.back());
+  for_each_factor([&](int row, int col, int value) {
+    factors[ends[at(row)]++] = {value, col};
+  });
+}
+
 void ChainLdlt::apply_scale(std::span<double> x) const {
   for (std::size_t i = 0; i < scale_.size(); ++i) x[i] *= scale_[i];
 }
@@ -126,38 +144,37 @@ void ChainLdlt::forward(const Section& section, std::span<double> x) const {
       add(std::span(local).subspan(at(size)), b, first + b * links,
           first + (b + 1) * links - 1);
     }
-    const int batch = (first - section.first) / (kLanes << level);
+    const int batch = (first - section.links.front()) / (kLanes << level);
     added[at(level)][at(batch % 2)].assign(local.begin() + size, local.end());
   };
   auto joint = section.joints.begin();
   for (std::size_t k = 0; k < section.batches.size(); ++k) {
     const Batch& batch = section.batches[k];
-    const int first = section.first + kLanes * static_cast<int>(k);
-    const int count =
-        std::min(kLanes, section.first + section.num_links - first);
+    const int* const links = section.links.data() + kLanes * k;
+    const int count = section.batch_at(kLanes * k);
     local.assign(run.unknowns.size(), Lanes{});
     if (batch.sequence != nullptr) {
       for (int i = 0; i < run.interior; ++i) {
         for (int b = 0; b < count; ++b) {
-          local[at(i)].lane[b] = x[run.unknowns[at(i)].at(first + b)];
+          local[at(i)].lane[b] = x[run.unknowns[at(i)].at(links[b])];
         }
       }
       forward_substitution(batch.sequence->analysis(), batch.slots,
-                           local.data());
+                           local.data(), count);
     }
     auto& to = added[0][k % 2];
     to.assign(local.begin() + run.interior, local.end());
     for (int b = 0; b < count; ++b) {
       if (bit(batch.failed, b)) continue;
       for (int i = 0; i < run.interior; ++i) {
-        x[run.unknowns[at(i)].at(first + b)] = local[at(i)].lane[b];
+        x[run.unknowns[at(i)].at(links[b])] = local[at(i)].lane[b];
       }
-      if (!section.joined()) add(to, b, first + b, first + b);
+      if (!section.joined) add(to, b, links[b], links[b]);
     }
-    if (!section.joined()) continue;
+    if (!section.joined) continue;
     const int read = static_cast<int>(k) + 1;
     for (int level = 1; level <= kLevels && read % (1 << level) == 0; ++level) {
-      join(*joint++, level, first + kLanes - (kLanes << level));
+      join(*joint++, level, links[0] + kLanes - (kLanes << level));
     }
   }
 }
@@ -192,30 +209,30 @@ void ChainLdlt::backward(const Section& section, std::span<double> x) const {
     }
   };
   for (std::size_t k = section.batches.size(); k-- > 0;) {
-    const int first = section.first + kLanes * static_cast<int>(k);
+    const int* const links = section.links.data() + kLanes * k;
     const int read = static_cast<int>(k) + 1;
-    for (int level = kLevels; section.joined() && level > 0; --level) {
+    for (int level = kLevels; section.joined && level > 0; --level) {
       if (read % (1 << level) != 0) continue;
-      part(*--joint, level, first + kLanes - (kLanes << level));
+      part(*--joint, level, links[0] + kLanes - (kLanes << level));
     }
     const Batch& batch = section.batches[k];
     if (batch.sequence == nullptr) continue;
-    const int count =
-        std::min(kLanes, section.first + section.num_links - first);
-    const ChainMap::Links links{first, first + count};
+    const int count = section.batch_at(kLanes * k);
+    const bool at_end = links[0] == 0 || links[count - 1] == run.num_links - 1;
     local.assign(run.unknowns.size(), Lanes{});
     for (std::size_t i = 0; i < run.unknowns.size(); ++i) {
-      const auto [begin, end] = run.having(run.unknowns[i], links);
-      for (int link = begin; link < end; ++link) {
-        local[i].lane[link - first] = x[run.unknowns[i].at(link)];
+      const Affine& unknown = run.unknowns[i];
+      for (int b = 0; b < count; ++b) {
+        if (at_end && !run.has(unknown, links[b])) continue;
+        local[i].lane[b] = x[unknown.at(links[b])];
       }
     }
-    backward_substitution(batch.sequence->analysis(), batch.slots,
-                          local.data());
+    backward_substitution(batch.sequence->analysis(), batch.slots, local.data(),
+                          count);
     for (int i = 0; i < run.interior; ++i) {
       for (int b = 0; b < count; ++b) {
         if (bit(batch.failed, b)) continue;
-        x[run.unknowns[at(i)].at(first + b)] = local[at(i)].lane[b];
+        x[run.unknowns[at(i)].at(links[b])] = local[at(i)].lane[b];
       }
     }
   }
@@ -232,34 +249,15 @@ void ChainLdlt::subtract_product(std::span<const double> x,
     long double value;
   };
   std::vector<SoFar> separator;
-  // By rows, entries and their mirror images: sums are complete one by one.
-  struct Factor {
-    int value, col;
-  };
-  std::vector<Factor> factors;
-  std::vector<std::size_t> ends;
-  for (const Run& run : map_.runs()) {
+  for (const auto& [r, links] : map_.along_chain()) {
+    const Run& run = map_.runs()[r];
+    const std::vector<std::size_t>& ends = products_[r].ends;
     local.resize(run.unknowns.size());
     sums.resize(run.unknowns.size());
     values.resize(run.entries.size());
     const int first_right = run.interior + run.left;
     const int first_border = first_right + run.right;
-    const auto for_each_factor = [&](auto&& visit) {
-      int value = 0;
-      for (const ChainMap::Entry& entry : run.entries) {
-        visit(entry.row, entry.col, value);
-        if (entry.row != entry.col) visit(entry.col, entry.row, value);
-        ++value;
-      }
-    };
-    ends.assign(run.unknowns.size() + 1, 0);
-    for_each_factor([&](int row, int, int) { ++ends[at(row) + 1]; });
-    std::partial_sum(ends.begin(), ends.end(), ends.begin());
-    factors.resize(ends.back());
-    for_each_factor([&](int row, int col, int value) {
-      factors[ends[at(row)]++] = {value, col};
-    });
-    for (int link = 0; link < run.num_links; ++link) {
+    for (int link = links.begin; link < links.end; ++link) {
       check_stop(link);
       const bool at_end = link == 0 || link == run.num_links - 1;
       const auto has = [&](const Affine& place) {
@@ -275,11 +273,12 @@ void ChainLdlt::subtract_product(std::span<const double> x,
                         ? values_[at(entry.array)][entry.source.at(link)]
                         : 0.0;
       }
-      const Factor* factor = factors.data();
+      auto factor = products_[r].factors.begin();
       for (std::size_t i = 0; i < sums.size(); ++i) {
         long double sum = 0.0L;
-        for (const Factor* end = factors.data() + ends[i]; factor != end;
-             ++factor) {
+        for (const auto end = products_[r].factors.begin() +
+                              static_cast<std::ptrdiff_t>(ends[i]);
+             factor != end; ++factor) {
           sum += static_cast<long double>(values[at(factor->value)]) *
                  local[at(factor->col)];
         }

@@ -31,15 +31,21 @@ void ChainLdlt::sweep() {
   carried_.reset(0);
   carried_.candidates = 0;
   int turn = 0;
+  std::vector<std::pair<const Section*, const Piece*>> along;
   for (const Section& section : sections_) {
-    for (const Piece& piece : section.pieces) {
-      check_stop(turn++);
-      if (piece.analysis == nullptr) {
-        dense_link(map_.runs()[section.run], piece.first);
-      }
-      separator(section, piece);
-      if (overflow_) return;
+    for (const Piece& piece : section.pieces)
+      along.push_back({&section, &piece});
+  }
+  std::ranges::sort(along, {}, [&](const auto& one) {
+    return map_.runs()[one.first->run].position + one.second->first;
+  });
+  for (const auto& [section, piece] : along) {
+    check_stop(turn++);
+    if (piece->analysis == nullptr) {
+      dense_link(map_.runs()[section->run], piece->first);
     }
+    separator(*section, *piece);
+    if (overflow_) return;
   }
   last_front();
 }

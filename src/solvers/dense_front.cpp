@@ -34,17 +34,21 @@ struct ColumnMax {
 };
 
 ColumnMax column_max(Front& front, int column, int from, int skip) {
+  double* const a = &front.at(0, column);
+  // Zeros are never the largest.
+  const double left_out[] = {std::exchange(a[column], 0.0),
+                             skip < 0 ? 0.0 : std::exchange(a[skip], 0.0)};
   ColumnMax max;
-  const double* const a = &front.at(0, column);
-  for (int i = from; i < front.size(); ++i) {
-    if (i == column || i == skip) continue;
-    const double entry = std::abs(a[i]);
-    if (entry > max.value) max.value = entry;
-    if (i < front.candidates && entry > max.among_candidates) {
-      max.among_candidates = entry;
-      max.row = i;
-    }
+  max.among_candidates = largest_of(a + from, front.candidates - from);
+  max.value = std::max(
+      max.among_candidates,
+      largest_of(a + front.candidates, front.size() - front.candidates));
+  if (max.among_candidates > 0.0) {
+    max.row = from;
+    while (!(std::abs(a[max.row]) == max.among_candidates)) ++max.row;
   }
+  if (skip >= 0) a[skip] = left_out[1];
+  a[column] = left_out[0];
   return max;
 }
 

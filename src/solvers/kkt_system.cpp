@@ -21,7 +21,6 @@ KktSystem::KktSystem(nlp::Problem& problem, nlp::TangencyCondition* tangency,
       m_(problem.num_constraints()),
       given_(at(n_ + m_)),
       jac_g_(problem.jac_g_pattern().num_entries()),
-      hess_lag_(problem.hess_lag_pattern().num_entries()),
       residual_(at(size())) {
   for (int i = 0; i < n_; ++i) {
     given_[at(i)] = active_.variables[at(i)] != nlp::Held::No ? 1 : 0;
@@ -125,6 +124,7 @@ void KktSystem::visit(Put&& put) const {
 
 void KktSystem::evaluate_jacobian() {
   check_stop();
+  hess_lag_.resize(problem_.hess_lag_pattern().num_entries());
   problem_.eval_hess_lag(1.0, lambda_, hess_lag_);
 }
 

@@ -55,7 +55,7 @@ class KktSystem {
   }
 
   /// The Jacobian by coordinates, and its entries in that order.
-  /// \pre evaluate() was called
+  /// \pre evaluate_jacobian() was called
   [[nodiscard]] nlp::SparsityPattern pattern() const;
   void jacobian(std::vector<double>& values) const;
 

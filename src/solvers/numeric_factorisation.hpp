@@ -54,19 +54,24 @@ using LaneLinks = std::array<std::ptrdiff_t, kLanes>;
 
 /// Factorises: on entry the slots hold the matrix, zero elsewhere; on exit the
 /// factor and the Schur complement.
+///
+/// \param lanes  the first so many are asked for, here and below
 void numeric_factorisation(const SymbolicAnalysis& analysis, Lanes* slots,
-                           FactorisationOutcome& outcome);
+                           FactorisationOutcome& outcome, int lanes = kLanes);
 
 /// Solves with the unit lower factor and the block diagonal one: `y`, one
 /// number to a local unknown, holds the right-hand side of the interior; on
 /// exit the solution so far there, and in the other unknowns what is to be
 /// added to their right-hand side.
 void forward_substitution(const SymbolicAnalysis& analysis, const Lanes* slots,
-                          Lanes* y);
+                          Lanes* y, int lanes = kLanes);
 
 /// Solves with the transposed factor, the unknowns outside the interior known.
 void backward_substitution(const SymbolicAnalysis& analysis, const Lanes* slots,
-                           Lanes* y);
+                           Lanes* y, int lanes = kLanes);
+
+/// The largest absolute value; what is not a number is passed over.
+[[nodiscard]] double largest_of(const double* values, int count);
 
 /// Subtracts l pᵀ, or l pᵀ + m qᵀ, from the rows and columns of a square matrix
 /// from `from` on.

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 
 #include "refinement/limited_rates.hpp"
 #include "refinement/without_arcs.hpp"
@@ -78,6 +77,22 @@ std::vector<ActiveArc> active_arcs(const std::vector<Arc>& arcs,
   return active;
 }
 
+/// Of limits that hold nowhere.
+void add_least_slacks(const std::vector<StatedLimit>& asked,
+                      const LimitedMotion& motion,
+                      std::vector<LimitOnPath>& limits) {
+  const std::vector<TrajectoryPoint> rows = motion.fine_sample(0);
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    if (!limits[i].active.empty()) continue;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t row = 1; row < rows.size(); ++row) {
+      const double slack = asked[i].slack(rows[row]);
+      if (!(slack >= least)) least = slack;  // a NaN stays
+    }
+    limits[i].least_slack = least;
+  }
+}
+
 }  // namespace
 
 std::vector<LimitOnPath> limits_on_path(const PosedProblem& posed,
@@ -90,13 +105,7 @@ std::vector<LimitOnPath> limits_on_path(const PosedProblem& posed,
   const double tau = 1.0 / std::sqrt(natural.H);
   const std::vector<StatedLimit> asked = stated_limits(posed.asked);
   const std::vector<StatedLimit> scaled = stated_limits(natural);
-  std::vector<TrajectoryPoint> rows;
-  std::unique_ptr<LimitedRates> rates;
   const bool known = arcs_are_known(path.curve);
-  if (!asked.empty()) {
-    rows = motion.fine_sample(0);
-    if (known) rates = std::make_unique<LimitedRates>(path);
-  }
   const std::vector<Arc> arcs = known ? path.arcs : arcs_of(path.curve);
   std::vector<LimitOnPath> out;
   for (std::size_t i = 0; i < asked.size(); ++i) {
@@ -106,30 +115,25 @@ std::vector<LimitOnPath> limits_on_path(const PosedProblem& posed,
     for (const ActiveArc& arc : limit.active) {
       limit.share_of_time += (arc.t.to - arc.t.from) / motion.transit_time();
     }
-    if (limit.active.empty()) {
-      double least = std::numeric_limits<double>::infinity();
-      for (std::size_t row = 1; row < rows.size(); ++row) {
-        const double slack = asked[i].slack(rows[row]);
-        if (!(slack >= least)) least = slack;  // a NaN stays
-      }
-      limit.least_slack = least;
-    }
-    // One that holds nowhere may still decide the direction at A.
-    if (rates && rates->regular()) {
-      PathLimits less = natural.limits, more = natural.limits;
-      scaled[i].move(less, -kStep);
-      scaled[i].move(more, kStep);
-      const TimeRate price =
-          rates->price(inequalities(natural.body, less),
-                       inequalities(natural.body, more), 2.0 * kStep);
-      const double scale = tau * asked[i].natural;
-      if (std::isfinite(price.total) &&
-          std::isfinite(price.at_fixed_contacts)) {
-        limit.price = price.total * scale;
-        limit.price_at_fixed_contacts = price.at_fixed_contacts * scale;
-      }
-    }
     out.push_back(std::move(limit));
+  }
+  if (asked.empty()) return out;
+  add_least_slacks(asked, motion, out);
+  if (!known) return out;
+  LimitedRates rates(path);
+  for (std::size_t i = 0; i < asked.size() && rates.regular(); ++i) {
+    // One that holds nowhere may still decide the direction at A.
+    PathLimits less = natural.limits, more = natural.limits;
+    scaled[i].move(less, -kStep);
+    scaled[i].move(more, kStep);
+    const TimeRate price =
+        rates.price(inequalities(natural.body, less),
+                    inequalities(natural.body, more), 2.0 * kStep);
+    const double scale = tau * asked[i].natural;
+    if (std::isfinite(price.total) && std::isfinite(price.at_fixed_contacts)) {
+      out[i].price = price.total * scale;
+      out[i].price_at_fixed_contacts = price.at_fixed_contacts * scale;
+    }
   }
   return out;
 }

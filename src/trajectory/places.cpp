@@ -167,20 +167,18 @@ class Places {
   }
 
   /// L_xt = λ ∂c'/∂x, of the states and controls of the element.
-  [[nodiscard]] std::vector<double> by_touch(const Place& touch) {
+  [[nodiscard]] std::vector<double> by_touch(const Place& touch) const {
     constexpr double kStep = 1e-5;
     const VariableLayout& layout = problem_.layout();
     const int p = problem_.mesh().degree;
     std::vector<double> column = nothing();
+    const auto problem = std::make_shared<LimitedTime>(problem_);
     const auto rate_by = [&](int variable, double step) {
       if (problem_.variable_range(variable).single()) return;
       const auto moved = [&](double by) {
         PrimalDual point = curve_.point();
         point.x[at(variable)] += by;
-        if (!problem_.set_point(point.x)) {
-          return std::numeric_limits<double>::quiet_NaN();
-        }
-        return rates_at(LimitedCurve(problem_, std::move(point)), touch)[0];
+        return rates_at(LimitedCurve(problem, std::move(point)), touch)[0];
       };
       column[at(variable)] =
           touch.multiplier * (moved(step) - moved(-step)) / (2.0 * step);
@@ -199,8 +197,6 @@ class Places {
     for (int c = touch.element * p; c < (touch.element + 1) * p; ++c) {
       rate_by(layout.control(c), kStep);
     }
-    // Back to where other columns are evaluated.
-    static_cast<void>(problem_.set_point(curve_.point().x));
     return column;
   }
 
@@ -229,14 +225,14 @@ class Places {
   /// elsewhere, but for what does not change with it.
   [[nodiscard]] Eigen::VectorXd slopes_where(const Place& at_switch,
                                              double by) const {
-    LimitedTime moved = problem_;
+    const auto moved = std::make_shared<LimitedTime>(problem_);
     Mesh mesh = problem_.mesh();
     mesh.boundaries[at(at_switch.element + 1)] += by;
-    moved.change(problem_.limits(), mesh, problem_.ends());
+    moved->change(problem_.limits(), mesh, problem_.ends());
     Eigen::VectorXd slopes =
         Eigen::VectorXd::Constant(static_cast<Eigen::Index>(places_.size()),
                                   std::numeric_limits<double>::quiet_NaN());
-    if (!moved.set_point(curve_.point().x)) return slopes;
+    if (!moved->set_point(curve_.point().x)) return slopes;
     const LimitedCurve there(moved, curve_.point());
     for (std::size_t i = 0; i < places_.size(); ++i) {
       const Place& place = places_[i];
@@ -248,8 +244,8 @@ class Places {
       // f is linear in the lengths.
       std::vector<double> rates = nothing();
       for (const int e : {0, 1}) {
-        moved.add_rates_by_length(place.element + e, e == 0 ? 1.0 : -1.0,
-                                  curve_.point().lambda, rates);
+        moved->add_rates_by_length(place.element + e, e == 0 ? 1.0 : -1.0,
+                                   curve_.point().lambda, rates);
       }
       slope = std::inner_product(curve_.point().lambda.begin(),
                                  curve_.point().lambda.end(),

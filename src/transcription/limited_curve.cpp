@@ -24,14 +24,15 @@ using enum StateComponent;
 
 }  // namespace
 
-LimitedCurve::LimitedCurve(const LimitedTime& problem, PrimalDual point)
-    : problem_(std::make_shared<LimitedTime>(problem)),
+LimitedCurve::LimitedCurve(std::shared_ptr<LimitedTime> problem,
+                           PrimalDual point)
+    : problem_(std::move(problem)),
       point_(std::make_shared<const PrimalDual>(std::move(point))) {
-  const nlp::ActiveSet set = nlp::active_set(*problem_, *point_);
-  transit_time_ = 0.0;
   for (int e = 0; e < problem_->mesh().num_elements(); ++e) {
     transit_time_ += time_on(e);
   }
+  if (problem_->held()) return;
+  const nlp::ActiveSet set = nlp::active_set(*problem_, *point_);
   const VariableLayout& layout = problem_->layout();
   for (int c = 0; c < layout.num_points(); ++c) {
     for (int i = 0; i < layout.num_limits(); ++i) {
@@ -39,7 +40,6 @@ LimitedCurve::LimitedCurve(const LimitedTime& problem, PrimalDual point)
                         nlp::Held::No);
     }
   }
-  if (problem_->held()) return;
   // At the end multipliers vanish with p_β, whether a limit is active or not.
   const int limits = layout.num_limits();
   for (int i = 0; i < limits; ++i) {
@@ -49,8 +49,11 @@ LimitedCurve::LimitedCurve(const LimitedTime& problem, PrimalDual point)
 }
 
 bool LimitedCurve::active(int point, int limit) const {
-  return active_[brachisto::at(point * problem_->layout().num_limits() +
-                               limit)];
+  const VariableLayout& layout = problem_->layout();
+  if (problem_->held()) {
+    return problem_->constraint_range(layout.limit(point, limit)).single();
+  }
+  return active_[brachisto::at(point * layout.num_limits() + limit)];
 }
 
 bool LimitedCurve::holds_control(int point) const {

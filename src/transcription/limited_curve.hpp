@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "brachisto/math/index.hpp"
@@ -37,7 +38,12 @@ struct LimitedPoint {
 /// multipliers of degree p − 1 through the points alone.
 class LimitedCurve {
  public:
-  LimitedCurve(const LimitedTime& problem, PrimalDual point);
+  /// Of a copy of the problem.
+  LimitedCurve(const LimitedTime& problem, PrimalDual point)
+      : LimitedCurve(std::make_shared<LimitedTime>(problem), std::move(point)) {
+  }
+  /// Of the problem itself, which stays as it is for as long as this lives.
+  LimitedCurve(std::shared_ptr<LimitedTime> problem, PrimalDual point);
 
   [[nodiscard]] const LimitedTime& problem() const { return *problem_; }
   [[nodiscard]] const PrimalDual& point() const { return *point_; }
@@ -87,8 +93,8 @@ class LimitedCurve {
   // last changes.
   std::shared_ptr<LimitedTime> problem_;
   std::shared_ptr<const PrimalDual> point_;
-  double transit_time_;
-  std::vector<bool> active_;
+  double transit_time_ = 0.0;
+  std::vector<bool> active_;  ///< of inequalities
 };
 
 /// States, controls, costates and multipliers given as a function of the place

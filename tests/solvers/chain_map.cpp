@@ -63,7 +63,8 @@ void expect_equal(const ChainMap& one, const ChainMap& other,
     const std::string of_run = what + ", run " + std::to_string(i);
     const ChainMap::Run& a = one.runs()[i];
     const ChainMap::Run& b = other.runs()[i];
-    EXPECT_EQ(a.num_links, b.num_links) << of_run;
+    EXPECT_EQ(a.position, b.position) << of_run;
+    EXPECT_EQ(a.links(), b.links()) << of_run;
     EXPECT_EQ(a.interior, b.interior) << of_run;
     EXPECT_EQ(a.left, b.left) << of_run;
     EXPECT_EQ(a.right, b.right) << of_run;
@@ -101,16 +102,23 @@ std::size_t num_couplings(const nlp::Problem& problem,
   return count;
 }
 
-void expect_repetitions_change_nothing(const nlp::Problem& problem,
-                                       const nlp::ActiveSet& active,
-                                       const std::string& what) {
+/// The chain without what is given.
+ChainStructure present(const nlp::Problem& problem,
+                       const nlp::ActiveSet& active) {
   ChainStructure chain = problem.chain_structure();
   const std::size_t n = active.variables.size();
   for (std::size_t i = 0; i < chain.block.size(); ++i) {
-    const bool present = i < n ? active.variables[i] == nlp::Held::No
-                               : active.constraints[i - n] != nlp::Held::No;
-    if (!present) chain.block[i] = ChainStructure::kAbsent;
+    const bool is_there = i < n ? active.variables[i] == nlp::Held::No
+                                : active.constraints[i - n] != nlp::Held::No;
+    if (!is_there) chain.block[i] = ChainStructure::kAbsent;
   }
+  return chain;
+}
+
+void expect_repetitions_change_nothing(const nlp::Problem& problem,
+                                       const nlp::ActiveSet& active,
+                                       const std::string& what) {
+  const ChainStructure chain = present(problem, active);
   const SparsityPattern& hess = problem.hess_lag_pattern();
   const SparsityPattern& jac = problem.jac_g_pattern();
   const SparsityPattern all_hess = one_by_one(hess);
@@ -128,6 +136,40 @@ void expect_repetitions_change_nothing(const nlp::Problem& problem,
     ASSERT_TRUE(one && other) << what;
     expect_equal(*one, *other, what);
     EXPECT_EQ(one->couplings().size(), num_couplings(problem, chain)) << what;
+  }
+}
+
+TEST(ChainMap, LinksThatLookAlikeAreOneRunWhereverTheyStand) {
+  const Scene scene = off_centred_scene();
+  const auto limits = limits_of_all_kinds(scene.body);
+  const Mesh mesh = uniform_mesh(3, 40);
+  const LimitedTime problem(scene, limits, mesh, LimitedEnds{},
+                            held_in_turn(mesh, limits, 3));
+  const nlp::ActiveSet active = nlp::equations_only(problem);
+  const ChainStructure chain = present(problem, active);
+  const std::array<EntryPositions, 2> positions = {
+      EntryPositions{problem.hess_lag_pattern(), 0},
+      EntryPositions{problem.jac_g_pattern(), problem.num_variables()}};
+
+  const auto map = ChainMap::make(chain, positions, 1);
+
+  ASSERT_TRUE(map);
+  EXPECT_LT(map->runs().size(), map->along_chain().size());
+  int links = 0;
+  std::vector<int> seen(chain.block.size());
+  for (const auto& [r, own] : map->along_chain()) {
+    const ChainMap::Run& run = map->runs()[r];
+    EXPECT_EQ(run.position + own.begin, links);
+    for (int link = own.begin; link < own.end; ++link, ++links) {
+      for (int i = 0; i < run.interior; ++i) {
+        ++seen[run.unknowns[static_cast<std::size_t>(i)].at(link)];
+      }
+    }
+  }
+  EXPECT_EQ(links, map->num_links());
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const bool inside = chain.block[i] > 0 && chain.block[i] % 2 == 1;
+    EXPECT_EQ(seen[i], inside ? 1 : 0) << i;
   }
 }
 

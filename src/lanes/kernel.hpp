@@ -159,7 +159,8 @@ class Shooting {
       path.step_unchecked(1.0 / steps);
       on_step(i, flow, path.now(), path.rates().inner.control);
       if constexpr (Derivatives) {
-        jacobi.see(neighbours<Inner>(flow, path).share());
+        const auto beside = neighbours<Inner>(flow, path);
+        if (i > beside.kUnseen * steps) jacobi.see(beside.share());
       }
     }
     return arrived<Derivatives, Inner>(flow, path, by, jacobi);

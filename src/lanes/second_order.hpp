@@ -28,6 +28,9 @@ class FreeNeighbours {
   using Number = typename Rates::Number;
   using Stack = typename Rates::Stack;
 
+  /// So much of the way has too little between neighbours to be seen.
+  static constexpr double kUnseen = 0.0;
+
   /// \param slope    by how much a stack changes with u or with a share of it
   /// \param problem  FallingLanes
   FreeNeighbours(const Stack& at, const Stack& slope, const auto& problem,
@@ -95,6 +98,11 @@ class BrakedNeighbours {
  public:
   using Number = typename Rates::Number;
   using Stack = typename Rates::Stack;
+
+  // The determinant grows with a higher power of u and with the square of the
+  // drag: at an eighth of the way, 1/64 of the path, from 1e-5 of the latter,
+  // before from less than rounding leaves.
+  static constexpr double kUnseen = 0.125;
 
   BrakedNeighbours(const Stack& at, const Stack& slope, const auto& problem,
                    const Number& c, const Number& s)

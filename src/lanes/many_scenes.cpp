@@ -200,7 +200,7 @@ template <class Out>
 std::vector<Out> shot_again(std::span<const Scene> natural,
                             const Extremal& extremal, Instructions instructions,
                             auto&& run) {
-  const Fineness fineness{1, 0, extremal.places, 1};
+  const Fineness fineness{1, 0, extremal.places, 2};
   return in_eights<Out>(
       natural, instructions,
       [&](std::size_t i, Target& target) {

@@ -101,6 +101,15 @@ std::string key_reference_markdown() {
 
 namespace {
 
+/// An object with room for so many keys: one that grows copies all that is in
+/// it.
+Json with_room(std::size_t keys = 8) {
+  Json out = Json::object();
+  out.get_ref<Json::object_t&>().reserve(keys);
+  return out;
+}
+constexpr std::size_t kFewKeys = 32, kManyKeys = 128;
+
 /// Texts that consist of what expressions consist of. Whether they are one,
 /// only the program says.
 std::string pattern(const KeySpec& spec) {
@@ -125,28 +134,33 @@ Json value_schema(const KeySpec& spec);
 
 // Bounds are for literals alone, a pattern for texts alone.
 Json number_schema(const KeySpec& spec) {
-  Json schema = {
-      {"type",
-       {spec.type() == KeyType::Integer ? "integer" : "number", "string"}},
-      {"pattern", pattern(spec)},
-      {"patternErrorMessage", "expected " + expected(spec)}};
+  Json schema = with_room();
+  schema["type"] = {spec.type() == KeyType::Integer ? "integer" : "number",
+                    "string"};
+  schema["pattern"] = pattern(spec);
+  schema["patternErrorMessage"] = "expected " + expected(spec);
   add_bounds(schema, spec.interval);
   add_bounds(schema, spec.physical);
   return schema;
 }
 
 Json array_schema(Json items) {
-  return {{"type", "array"}, {"items", std::move(items)}, {"minItems", 1}};
+  Json schema = with_room();
+  schema["type"] = "array";
+  schema["items"] = std::move(items);
+  schema["minItems"] = 1;
+  return schema;
 }
 
 /// Of a list whose items are described.
 Json list_schema(const KeySpec& spec) {
-  std::vector<Json> items;
+  Json items = Json::array();
   for (const KeySpec& item : spec.value.items) {
     items.push_back(value_schema(item));
   }
   Json schema =
-      array_schema(items.size() == 1 ? items.front() : Json{{"anyOf", items}});
+      array_schema(items.size() == 1 ? std::move(items.front())
+                                     : Json{{"anyOf", std::move(items)}});
   if (spec.value.count != 0) {
     schema["minItems"] = schema["maxItems"] = spec.value.count;
   }
@@ -154,15 +168,17 @@ Json list_schema(const KeySpec& spec) {
 }
 
 /// Of a map that has no other keys.
-Json closed_map(Json properties) {
-  return {{"type", "object"},
-          {"properties", std::move(properties)},
-          {"additionalProperties", false}};
+/// \param schema  what stands before that
+Json closed_map(Json properties, Json schema = with_room()) {
+  schema["type"] = "object";
+  schema["properties"] = std::move(properties);
+  schema["additionalProperties"] = false;
+  return schema;
 }
 
 /// Of a map whose keys are described; of a key of the table they follow.
 Json map_schema(const KeySpec& spec) {
-  Json properties = Json::object(), required, one_of;
+  Json properties = with_room(kFewKeys), required, one_of;
   for (const KeySpec& key : spec.value.items) {
     properties[key.path] = value_schema(key);
     if (key.is_required()) required.push_back(key.path);
@@ -186,21 +202,26 @@ Json choice_schema(const KeySpec& spec) {
 
 /// What a key may be in the section `sweep`: one value, a list or a range.
 Json swept_schema(const KeySpec& spec) {
-  const Json value = value_schema(as_swept(spec));
-  Json kinds = {value, array_schema(value)};
+  Json value = value_schema(as_swept(spec));
+  Json kinds = Json::array();
+  kinds.push_back(value);
+  kinds.push_back(array_schema(std::move(value)));
   if (spec.type() != KeyType::Choice) {
     kinds.push_back(map_schema(range_of(spec, true)));
   }
-  return {{"anyOf", std::move(kinds)}};
+  Json schema = with_room();
+  schema["anyOf"] = std::move(kinds);
+  return schema;
 }
 
 Json sweep_schema() {
-  Json swept, sampled, paths = Json::array();
+  Json swept = with_room(kManyKeys), sampled = with_room(kManyKeys);
+  Json paths = Json::array();
   for (const KeySpec& spec : key_table()) {
     if (!is_value_key(spec.path)) continue;
     paths.push_back(spec.path);
-    swept[spec.path] = swept_schema(spec);
-    swept[spec.path]["description"] = spec.description;
+    Json& schema = swept[spec.path] = swept_schema(spec);
+    schema["description"] = spec.description;
     if (is_real(spec)) {
       sampled[spec.path] = map_schema(range_of(spec, false));
     }
@@ -210,10 +231,10 @@ Json sweep_schema() {
   swept["zip"] = {{"description", "keys that run together"},
                   {"anyOf", {together, array_schema(together)}}};
   for (const KeySpec& spec : keys_beside_swept()) {
-    swept[spec.path] = value_schema(spec);
-    swept[spec.path]["description"] = spec.description;
+    Json& schema = swept[spec.path] = value_schema(spec);
+    schema["description"] = spec.description;
   }
-  swept["random"]["properties"]["ranges"] = closed_map(sampled);
+  swept["random"]["properties"]["ranges"] = closed_map(std::move(sampled));
   return closed_map(std::move(swept));
 }
 
@@ -303,9 +324,10 @@ Json required_of_problems() {
 }  // namespace
 
 std::string problem_schema() {
-  Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"},
-                 {"title", "Problem file of brachisto"}};
-  schema.update(closed_map(Json::object()));
+  Json schema = with_room();
+  schema["$schema"] = "http://json-schema.org/draft-07/schema#";
+  schema["title"] = "Problem file of brachisto";
+  schema = closed_map(with_room(kFewKeys), std::move(schema));
   Json of_cylinder;
   for (const KeySpec& spec : key_table()) {
     if (spec.type() == KeyType::Reserved) continue;

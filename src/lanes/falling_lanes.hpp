@@ -11,8 +11,11 @@
 #include <cstddef>
 #include <limits>
 #include <string_view>
+#include <type_traits>
 
+#include "lanes/kernels.hpp"
 #include "lanes/lane.hpp"
+#include "model/field.hpp"
 #include "model/inertia.hpp"
 #include "rolling/rolling_body.hpp"
 
@@ -27,14 +30,26 @@ struct Bodies {
   [[nodiscard]] static constexpr bool off_centred() { return true; }
 };
 
-template <class Number>
-[[nodiscard]] Number root_of_inertia(const Bodies<Number>& bodies,
-                                     const Number& theta, const Number& beta) {
+template <class Number, class Scalar>
+[[nodiscard]] Scalar root_of_inertia(const Bodies<Number>& bodies,
+                                     const Scalar& theta, const Scalar& beta) {
   return sqrt(inertia_factor(bodies, theta, beta));
 }
 
-/// Bodies in the uniform field of natural units, steered by their slope angles.
+/// As Air has those of one drag.
 template <class Number>
+struct Airs {
+  Number linear, quadratic;
+};
+/// It is linear in both.
+template <class Number, class Scalar>
+[[nodiscard]] Scalar drag(const Airs<Number>& air, const Scalar& v) {
+  return brachisto::drag(Air{1.0, 0.0}, v) * Scalar(air.linear) +
+         brachisto::drag(Air{0.0, 1.0}, v) * Scalar(air.quadratic);
+}
+
+/// Bodies in the uniform field of natural units, steered by their slope angles.
+template <class Number, Falling Where>
 class FallingLanes {
  public:
   static constexpr std::size_t kStates = rolling::Steered::kStates;
@@ -42,8 +57,10 @@ class FallingLanes {
   using Point = std::array<Number, kStates + 1>;
 
   /// \param rotation_per_length  dθ/ds of each
-  FallingLanes(const Bodies<Number>& bodies, const Number& rotation_per_length)
-      : bodies_(bodies), rotation_per_length_(rotation_per_length) {}
+  /// \param air                  means nothing to bodies that fall freely
+  FallingLanes(const Bodies<Number>& bodies, const Number& rotation_per_length,
+               const Airs<Number>& air)
+      : bodies_(bodies), rotation_per_length_(rotation_per_length), air_(air) {}
 
   [[nodiscard]] const Bodies<Number>& bodies() const { return bodies_; }
   [[nodiscard]] Number gravity() const { return gravity_; }
@@ -56,7 +73,12 @@ class FallingLanes {
   }
   template <class Jet>
   [[nodiscard]] ocp::Rates<Jet, kStates> jets(const Point& yu) const {
-    return forms().template jets<Jet>(yu);
+    auto out = forms().template jets<Jet>(yu);
+    if constexpr (Where == Falling::InAir) {
+      Jet& gain = out.states[rolling::kW];
+      gain = gain - drag(air_, Jet(speed<Jet>(yu[rolling::kW]) / out.cost));
+    }
+    return out;
   }
   /// Of each by itself: Newton's method, which stands still where it arrived,
   /// and no number where it does not, or finds no minimum.
@@ -68,7 +90,7 @@ class FallingLanes {
     Number at = near;
     auto moving = Number(1.0) > Number(0.0);
     for (int i = 0; i < kMostSteps && any(moving); ++i) {
-      const auto h = forms().hamiltonian_by_control(y, at);
+      const auto h = by_control(y, at);
       const Number step = -h.first / h.second;
       const auto lost = moving & !(h.second > Number(0.0));
       at = where(moving, Number(at + step), at);
@@ -102,9 +124,35 @@ class FallingLanes {
     return {bodies_, gravity_, rotation_per_length_};
   }
 
+  /// w as a variable.
+  template <class Jet>
+  [[nodiscard]] static Jet speed(const Number& w) {
+    if constexpr (std::is_same_v<Jet, Number>) {
+      return w;
+    } else {
+      return Jet::variable(w, rolling::kW);
+    }
+  }
+  [[nodiscard]] ocp::ByControl<Number> by_control(
+      const std::array<Number, 2 * kStates>& y, const Number& beta) const {
+    auto h = forms().hamiltonian_by_control(y, beta);
+    if constexpr (Where == Falling::InAir) {
+      using Jet = math::Jet2<Number, 1>;
+      const Jet root = root_of_inertia(bodies_, Jet(y[rolling::kTheta]),
+                                       Jet::variable(beta, 0));
+      const Jet lost = drag(air_, Jet(Jet(y[rolling::kW]) / root)) *
+                       Jet(y[kStates + rolling::kW]);
+      h.value -= lost.value;
+      h.first -= lost.gradient[0];
+      h.second -= lost.hessian[0];
+    }
+    return h;
+  }
+
   Bodies<Number> bodies_;
   Number gravity_{0.5};  ///< 2 g = 1
   Number rotation_per_length_;
+  Airs<Number> air_;
 };
 
 }  // namespace brachisto::lanes

@@ -17,6 +17,7 @@
 #include "lanes/falling_lanes.hpp"
 #include "lanes/kernels.hpp"
 #include "lanes/newton_step.hpp"
+#include "lanes/second_order.hpp"
 #include "ocp/flow.hpp"
 #include "ocp/integration.hpp"
 
@@ -24,11 +25,11 @@ namespace brachisto::lanes {
 
 namespace detail {
 
-template <int Set, std::size_t Count>
+template <int Set, std::size_t Count, Falling Where>
 class Shooting {
  public:
   using Number = Lane<Set, Count>;
-  using Problem = FallingLanes<Number>;
+  using Problem = FallingLanes<Number, Where>;
   using Flow = ocp::Flow<Problem, Number>;
   using State = typename Flow::State;
   using Mask = typename Number::Mask;
@@ -52,8 +53,8 @@ class Shooting {
   }
   /// Where the unknowns lead at the end of the way.
   void land(Landings& out) {
-    pass(fineness_.offsets);
-    const Shot shot = shoot<false>(by_, half(), [](auto&&...) {});
+    pass(last_step());
+    const Shot shot = shoot<false>(by_, half(), kIgnore);
     for (std::size_t lane = 0; lane < Count; ++lane) {
       for (std::size_t j = 0; j < kUnknowns; ++j) {
         out[lane].residual[j] = shot.residual[j][lane];
@@ -62,10 +63,24 @@ class Shooting {
       out[lane].beta = shot.beta[lane];
     }
   }
+  /// And how that answers to them.
+  void respond(Responses& out) {
+    pass(last_step());
+    const Shot shot = shoot<true>(by_, half(), kIgnore);
+    for (std::size_t lane = 0; lane < Count; ++lane) {
+      for (std::size_t j = 0; j < kUnknowns; ++j) {
+        Landing& by = out[lane][j];
+        for (std::size_t i = 0; i < kUnknowns; ++i) {
+          by.residual[i] = shot.jacobian[i][j][lane];
+        }
+        by.transit_time = shot.time_by[j][lane];
+        by.beta = shot.beta_by[j][lane];
+      }
+    }
+  }
 
  private:
-  enum : std::size_t { kX, kZ, kTheta, kW, kPX, kPZ, kPTheta, kPW };
-  static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  static constexpr auto kIgnore = [](auto&&...) {};
 
   template <class Do>
   void each(Do&& act) const {
@@ -78,7 +93,7 @@ class Shooting {
     std::array<Unknowns, kUnknowns> jacobian;  ///< rows
     State y, rates;
     Number T, beta;
-    // Of a shot with derivatives: see Extremal.
+    // Of a shot with derivatives: by the unknowns, and see Extremal.
     Unknowns beta_by, time_by;
     Number least_jacobian, by_length;
   };
@@ -93,8 +108,14 @@ class Shooting {
       turn_.set(i, at.rotation_per_length);
       L_.set(i, at.L);
       H_.set(i, at.H);
+      air_.linear.set(i, at.air.linear);
+      air_.quadratic.set(i, at.air.quadratic);
       start_angle_.set(i, at.start_angle);
     });
+  }
+  [[nodiscard]] int last_step() const {
+    return fineness_.offsets +
+           (Where == Falling::InAir ? fineness_.into_world : 0);
   }
   /// Steps of shots that are doubled for the error.
   [[nodiscard]] int half() const {
@@ -102,7 +123,7 @@ class Shooting {
   }
 
   [[nodiscard]] Flow flow() const {
-    return Flow(Problem({eta_, theta_m_, k_}, turn_));
+    return Flow(Problem({eta_, theta_m_, k_}, turn_, air_));
   }
 
   // p_w from 𝓗 = 0 at rest: √A + p_w g a = 0.
@@ -133,61 +154,32 @@ class Shooting {
     Path path({Inner{flow, start_angle_}, by[3], &controls},
               Inner::stack_of(y0));
     on_step(0, flow, path.now(), path.rates().inner.control);
-    Jacobi jacobi;
+    Jacobi<Number> jacobi;
     for (int i = 1; i <= steps; ++i) {
       path.step_unchecked(1.0 / steps);
       on_step(i, flow, path.now(), path.rates().inner.control);
       if constexpr (Derivatives) {
-        jacobi.see(determinant<Inner>(path.now(), path.rates().inner.control));
+        const auto beside = neighbours<Inner>(flow, path);
+        if (i > beside.kUnseen * steps) jacobi.see(beside.share());
       }
     }
     return arrived<Derivatives, Inner>(flow, path, by, jacobi);
   }
 
-  /// The Jacobi determinant on the way.
-  struct Jacobi {
-    Number first{0.0}, least{std::numeric_limits<double>::infinity()};
-    void see(const Number& now) {
-      first = where(Number(first * first) > Number(0.0), first, now);
-      const Number same = where(first > Number(0.0), now, Number(-now));
-      least = where(same > least, least, same);
-    }
-  };
-
-  /// With the length of the path as the independent variable the states are x
-  /// and z alone: their derivatives by two costates at the start, those by p_x
-  /// and p_θ, at the same θ. A third would belong to the gauge, p + μ ∇(w²/2 −
-  /// g E), which changes nothing.
-  template <class Inner>
-  struct Beside {
-    std::array<Number, 2> x, z;
-    explicit Beside(const typename Inner::Stack& at, const Number& c,
-                    const Number& s, const Number& turn) {
-      for (std::size_t j = 0; j < 2; ++j) {
-        const std::size_t by = j == 0 ? kPX : kPTheta;
-        const Number length = Inner::derivative(at, kTheta, by) / turn;
-        x[j] = Inner::derivative(at, kX, by) - c * length;
-        z[j] = Inner::derivative(at, kZ, by) - s * length;
-      }
-    }
-    [[nodiscard]] Number determinant() const {
-      return x[0] * z[1] - x[1] * z[0];
-    }
-  };
-  template <class Inner>
-  [[nodiscard]] Number determinant(const typename Inner::Stack& at,
-                                   const Number& beta) const {
-    const Beside<Inner> beside(at, cos(beta), sin(beta), turn_);
-    const auto size = [](const Number& a, const Number& b) {
-      return abs(a) + abs(b);
-    };
-    return beside.determinant() /
-           (size(beside.x[0], beside.z[0]) * size(beside.x[1], beside.z[1]));
+  template <class Inner, class Path>
+  [[nodiscard]] auto neighbours(const Flow& flow, const Path& path) const {
+    using Neighbours =
+        std::conditional_t<Where == Falling::InAir, BrakedNeighbours<Inner>,
+                           FreeNeighbours<Inner>>;
+    const Number& beta = path.rates().inner.control;
+    return Neighbours(path.now(), path.slope(), flow.problem(), cos(beta),
+                      sin(beta));
   }
 
   template <bool Derivatives, class Inner, class Path>
   [[nodiscard]] Shot arrived(const Flow& flow, const Path& path,
-                             const Unknowns& by, const Jacobi& jacobi) const {
+                             const Unknowns& by,
+                             const Jacobi<Number>& jacobi) const {
     const auto& now = path.now();
     Shot out;
     out.y = Inner::state_of(now);
@@ -224,39 +216,9 @@ class Shooting {
                                 : Inner::derivative(now, Inner::kCost, kPX + j);
       }
       out.least_jacobian = jacobi.least;
-      out.by_length = second_by_length<Inner>(flow, out, now, c, s);
+      out.by_length = neighbours<Inner>(flow, path).by_length(by[3]);
     }
     return out;
-  }
-
-  /// ∂²T/∂S² with x and z held, of the least time by a path of length S:
-  /// ∂T/∂S = −P_θ/r with P_θ = p_θ + p_w g r η cos θ/w, the costate with the
-  /// gauge in which p_w = 0.
-  template <class Inner>
-  [[nodiscard]] Number second_by_length(const Flow& flow, const Shot& end,
-                                        const typename Inner::Stack& now,
-                                        const Number& c,
-                                        const Number& s) const {
-    const Beside<Inner> beside(now, c, s, turn_);
-    const Number& w = end.y[kW];
-    const Number weight =
-        flow.problem().gravity() * eta_ * cos(end.y[kTheta]) / (turn_ * w);
-    const auto gauged = [&](const Number& p_theta, const Number& p_w) {
-      return p_theta + weight * p_w;
-    };
-    const Number along = gauged(end.rates[kPTheta], end.rates[kPW]) / w;
-    std::array<Number, 2> across;
-    for (std::size_t j = 0; j < 2; ++j) {
-      const std::size_t by = j == 0 ? kPX : kPTheta;
-      across[j] = gauged(Inner::derivative(now, kPTheta, by),
-                         Inner::derivative(now, kPW, by)) -
-                  along * (Inner::derivative(now, kTheta, by) / turn_);
-    }
-    // a (x, z)_1 + b (x, z)_2 = −(c, s): the ends stay where they are.
-    const Number det = beside.determinant();
-    const Number a = (beside.x[1] * s - beside.z[1] * c) / det;
-    const Number b = (beside.z[0] * c - beside.x[0] * s) / det;
-    return -(turn_ * (a * across[0] + b * across[1] + along));
   }
 
   /// The largest part of a step, costates and times in units of their own.
@@ -278,30 +240,32 @@ class Shooting {
   const Targets& targets_;
   const Fineness& fineness_;
   Number theta_m_, k_, radius_, turn_, L_, H_, eta_, start_angle_;
+  Airs<Number> air_;
   Unknowns by_;
   Mask good_;
   Number sign_;
 };
 
-template <int Set, std::size_t Count>
-void Shooting<Set, Count>::follow_way() {
+template <int Set, std::size_t Count, Falling Where>
+void Shooting<Set, Count, Where>::follow_way() {
   constexpr double kFarthest = 0.5;  // of a prediction from the branch
   constexpr double kNear = 5e-3;     // the next step would be its square
   constexpr int kMostSteps = 4;
-  const auto ignore = [](auto&&...) {};
   std::array<Unknowns, 3> past{by_, by_, by_};
-  for (int step = 1; step <= fineness_.offsets; ++step) {
+  for (int step = 1; step <= last_step(); ++step) {
     pass(step);
-    // By the polynomial through the last ones, equally far apart.
+    // By the polynomial through the last ones, equally far apart, on this side
+    // of where the way turns into the world.
+    const int here = step - (step > fineness_.offsets ? fineness_.offsets : 0);
     for (std::size_t j = 0; j < kUnknowns; ++j) {
       const Number &a = past[0][j], &b = past[1][j], &c = past[2][j];
-      by_[j] = step == 1   ? a
-               : step == 2 ? Number(a * 2.0 - b)
+      by_[j] = here == 1   ? a
+               : here == 2 ? Number(a * 2.0 - b)
                            : Number((a - b) * 3.0 + c);
     }
     auto moving = good_;
     for (int i = 0; i < kMostSteps && any(moving); ++i) {
-      const Shot shot = shoot<true>(by_, fineness_.on_the_way, ignore);
+      const Shot shot = shoot<true>(by_, fineness_.on_the_way, kIgnore);
       const auto solved = newton_step(shot.jacobian, shot.residual);
       if (step == 1 && i == 0) {
         sign_ = where(Number(sign_ * sign_) > Number(0.0), sign_, solved.sign);
@@ -321,12 +285,11 @@ void Shooting<Set, Count>::follow_way() {
   }
 }
 
-template <int Set, std::size_t Count>
-void Shooting<Set, Count>::finish(Extremals& out) {
+template <int Set, std::size_t Count, Falling Where>
+void Shooting<Set, Count, Where>::finish(Extremals& out) {
   constexpr double kClosed = 1e-10;
   constexpr int kMostSteps = 5;
   const int half = this->half(), steps = 2 * half;
-  const auto ignore = [](auto&&...) {};
   // T to B itself, to the second order of what is missed: p = −∂T/∂(end).
   const auto time_of = [](const Shot& shot, const Unknowns& by) {
     return shot.T + by[0] * shot.residual[0] + by[1] * shot.residual[1];
@@ -336,9 +299,9 @@ void Shooting<Set, Count>::finish(Extremals& out) {
   auto moving = good_;
   for (int i = 0; i < kMostSteps && any(moving); ++i) {
     if (i < 2) {
-      whole = shoot<true>(by_, half, ignore);
+      whole = shoot<true>(by_, half, kIgnore);
     } else {
-      const Shot next = shoot<false>(by_, half, ignore);
+      const Shot next = shoot<false>(by_, half, kIgnore);
       whole.residual = next.residual;
       whole.T = next.T;
     }
@@ -354,7 +317,7 @@ void Shooting<Set, Count>::finish(Extremals& out) {
           (whole.by_length > Number(0.0));
 
   // Once to take up what doubled steps change, once for the path.
-  const Shot first = shoot<false>(by_, steps, ignore);
+  const Shot first = shoot<false>(by_, steps, kIgnore);
   const auto solved = newton_step(whole.jacobian, first.residual);
   for (std::size_t j = 0; j < kUnknowns; ++j) {
     by_[j] = by_[j] + solved.step[j];
@@ -419,27 +382,33 @@ void Shooting<Set, Count>::finish(Extremals& out) {
     found.sign = sign_[lane];
     for (std::size_t i = 0; i < kUnknowns; ++i) {
       found.unknowns[i] = by_[i][lane];
-      found.beta_by[i] = whole.beta_by[i][lane];
-      found.time_by[i] = whole.time_by[i][lane];
-      for (std::size_t j = 0; j < kUnknowns; ++j) {
-        found.jacobian[i][j] = whole.jacobian[i][j][lane];
-      }
     }
   }
 }
 
 }  // namespace detail
 
-template <Instructions Set, std::size_t Count>
-void Kernel<Set, Count>::shoot(const Targets& targets, const Fineness& fineness,
-                               Extremals& out) {
-  detail::Shooting<static_cast<int>(Set), Count>(targets, fineness).run(out);
+template <Instructions Set, std::size_t Count, Falling Where>
+void Kernel<Set, Count, Where>::shoot(const Targets& targets,
+                                      const Fineness& fineness,
+                                      Extremals& out) {
+  detail::Shooting<static_cast<int>(Set), Count, Where>(targets, fineness)
+      .run(out);
 }
 
-template <Instructions Set, std::size_t Count>
-void Kernel<Set, Count>::land(const Targets& targets, const Fineness& fineness,
-                              Landings& out) {
-  detail::Shooting<static_cast<int>(Set), Count>(targets, fineness).land(out);
+template <Instructions Set, std::size_t Count, Falling Where>
+void Kernel<Set, Count, Where>::land(const Targets& targets,
+                                     const Fineness& fineness, Landings& out) {
+  detail::Shooting<static_cast<int>(Set), Count, Where>(targets, fineness)
+      .land(out);
+}
+
+template <Instructions Set, std::size_t Count, Falling Where>
+void Kernel<Set, Count, Where>::respond(const Targets& targets,
+                                        const Fineness& fineness,
+                                        Responses& out) {
+  detail::Shooting<static_cast<int>(Set), Count, Where>(targets, fineness)
+      .respond(out);
 }
 
 }  // namespace brachisto::lanes

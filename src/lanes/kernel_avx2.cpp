@@ -5,6 +5,7 @@
 
 namespace brachisto::lanes {
 
-template struct Kernel<Instructions::Avx2>;
+template struct Kernel<Instructions::Avx2, kLanes, Falling::Free>;
+template struct Kernel<Instructions::Avx2, kLanes, Falling::InAir>;
 
 }  // namespace brachisto::lanes

@@ -5,6 +5,7 @@
 
 namespace brachisto::lanes {
 
-template struct Kernel<Instructions::Avx512>;
+template struct Kernel<Instructions::Avx512, kLanes, Falling::Free>;
+template struct Kernel<Instructions::Avx512, kLanes, Falling::InAir>;
 
 }  // namespace brachisto::lanes

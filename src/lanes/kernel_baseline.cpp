@@ -5,7 +5,9 @@
 
 namespace brachisto::lanes {
 
-template struct Kernel<Instructions::Baseline>;
-template struct Kernel<Instructions::Baseline, kFewLanes>;
+template struct Kernel<Instructions::Baseline, kLanes, Falling::Free>;
+template struct Kernel<Instructions::Baseline, kLanes, Falling::InAir>;
+template struct Kernel<Instructions::Baseline, kFewLanes, Falling::Free>;
+template struct Kernel<Instructions::Baseline, kFewLanes, Falling::InAir>;
 
 }  // namespace brachisto::lanes

@@ -15,7 +15,10 @@
 namespace brachisto::lanes {
 
 /// The most steps on the way to a scene that there is room for.
-inline constexpr int kMostOffsets = kFine.offsets;
+inline constexpr int kMostOnTheWay = kFine.offsets + kFine.into_world;
+
+/// What the rates of a body are made of.
+enum class Falling { Free, InAir };
 
 /// A scene as shooting has it, in natural units.
 struct Milestone {
@@ -24,10 +27,11 @@ struct Milestone {
   double rotation_per_length = 0.0;
   double L = 0.0, H = 0.0;
   double start_angle = 0.0;
+  Air air;
 };
 /// What is shot for, from one that is known.
 struct Target {
-  std::array<Milestone, kMostOffsets + 1> way;  ///< as far as there are steps
+  std::array<Milestone, kMostOnTheWay + 1> way;  ///< as far as there are steps
   /// Of the extremal before the first step.
   std::array<double, Extremal::kUnknowns> unknowns{};
   double sign = 0.0;  ///< see Extremal; 0: that of the first step
@@ -35,16 +39,19 @@ struct Target {
 using Targets = std::array<Target, kLanes>;
 using Extremals = std::array<Extremal, kLanes>;
 using Landings = std::array<Landing, kLanes>;
+using Responses = std::array<Response, kLanes>;
 
 /// The first so many of eight scenes with one set of instructions. Its
 /// functions are not inline: those who call them must not compile them too.
-template <Instructions Set, std::size_t Count = kLanes>
+template <Instructions Set, std::size_t Count, Falling Where>
 struct Kernel {
   static void shoot(const Targets& targets, const Fineness& fineness,
                     Extremals& out);
   /// With nothing sought.
   static void land(const Targets& targets, const Fineness& fineness,
                    Landings& out);
+  static void respond(const Targets& targets, const Fineness& fineness,
+                      Responses& out);
 };
 
 }  // namespace brachisto::lanes

@@ -16,6 +16,7 @@
 #include "model/scene_coordinate.hpp"
 #include "model/start_angle.hpp"
 #include "model/units.hpp"
+#include "model/world_part.hpp"
 
 namespace brachisto::lanes {
 
@@ -30,21 +31,28 @@ Milestone milestone(const Scene& natural) {
           .rotation_per_length = arcs::rotation_per_length(natural),
           .L = natural.L,
           .H = natural.H,
-          .start_angle = start_angle(body)};
+          .start_angle = start_angle(body),
+          .air = natural.world.air};
 }
 
 /// From the cycloid.
 /// \return nothing where there is none
-bool aim(const Scene& natural, int offsets, Target& out) {
-  const ExtremalGuess cycloid = cycloid_guess(natural);
+bool aim(const Scene& natural, const Fineness& fineness, Target& out) {
+  Scene on_the_way = in_ordinary_world(natural);
+  const ExtremalGuess cycloid = cycloid_guess(on_the_way);
   if (!cycloid.state) return false;
   const ExtremalState start = cycloid.state(0.0);
   out.unknowns = {start.p_x, start.p_z, 0.0, cycloid.rolling_time};
   out.sign = 0.0;
-  Scene on_the_way = natural;
-  for (int i = 0; i <= offsets; ++i) {
-    on_the_way.body.eta_m = natural.body.eta_m * i / offsets;
-    out.way[static_cast<std::size_t>(i)] = milestone(on_the_way);
+  auto next = out.way.begin();
+  for (int i = 0; i <= fineness.offsets; ++i) {
+    on_the_way.body.eta_m = natural.body.eta_m * i / fineness.offsets;
+    *next++ = milestone(on_the_way);
+  }
+  const int more = natural.world.ordinary() ? 0 : fineness.into_world;
+  for (int i = 1; i <= more; ++i) {
+    *next++ = milestone(part_of_world(
+        natural, static_cast<double>(i) / more));
   }
   return true;
 }
@@ -69,35 +77,36 @@ Target aim_beside(const Scene& natural, Scene from, const Extremal& known,
 }
 
 /// Calls run(kernel) with the one for so many scenes.
+template <Falling Where>
 void with_kernel(std::size_t count, [[maybe_unused]] Instructions instructions,
                  auto&& run) {
   if (count <= kFewLanes) {
-    return run(Kernel<Instructions::Baseline, kFewLanes>());
+    return run(Kernel<Instructions::Baseline, kFewLanes, Where>());
   }
 #if defined(__x86_64__)
   if (instructions == Instructions::Avx512) {
-    return run(Kernel<Instructions::Avx512>());
+    return run(Kernel<Instructions::Avx512, kLanes, Where>());
   }
   if (instructions == Instructions::Avx2) {
-    return run(Kernel<Instructions::Avx2>());
+    return run(Kernel<Instructions::Avx2, kLanes, Where>());
   }
 #endif
-  run(Kernel<Instructions::Baseline>());
+  run(Kernel<Instructions::Baseline, kLanes, Where>());
 }
 
 /// Does with eight targets at a time what a kernel can.
-template <class Out, class Aim>
-std::vector<Out> in_eights(std::size_t count, Instructions instructions,
-                           Aim&& aim_at, auto&& run) {
-  std::vector<Out> out(count);
+template <Falling Where, class Out>
+void in_eights(std::span<const std::size_t> places, Instructions instructions,
+               auto&& aim_at, auto&& run, std::vector<Out>& out) {
   Targets targets;
   const auto eight = std::make_unique<std::array<Out, kLanes>>();
-  for (std::size_t first = 0; first < count; first += kLanes) {
-    const std::size_t here = std::min(kLanes, count - first);
+  for (std::size_t first = 0; first < places.size(); first += kLanes) {
+    const auto here =
+        places.subspan(first, std::min(kLanes, places.size() - first));
     std::array<bool, kLanes> aimed{};
     std::size_t some = kLanes;
-    for (std::size_t i = 0; i < here; ++i) {
-      aimed[i] = aim_at(first + i, targets[i]);
+    for (std::size_t i = 0; i < here.size(); ++i) {
+      aimed[i] = aim_at(here[i], targets[i]);
       if (aimed[i]) some = i;
     }
     if (some == kLanes) continue;
@@ -105,12 +114,26 @@ std::vector<Out> in_eights(std::size_t count, Instructions instructions,
     for (std::size_t i = 0; i < kLanes; ++i) {
       if (!aimed[i]) targets[i] = targets[some];
     }
-    with_kernel(here, instructions,
-                [&](auto kernel) { run(kernel, targets, *eight); });
-    for (std::size_t i = 0; i < here; ++i) {
-      if (aimed[i]) out[first + i] = (*eight)[i];
+    with_kernel<Where>(here.size(), instructions,
+                       [&](auto kernel) { run(kernel, targets, *eight); });
+    for (std::size_t i = 0; i < here.size(); ++i) {
+      if (aimed[i]) out[here[i]] = (*eight)[i];
     }
   }
+}
+/// With those that fall freely, then with the others: what a scene is worked
+/// out by does not depend on which stand beside it.
+template <class Out>
+std::vector<Out> in_eights(std::span<const Scene> scenes,
+                           Instructions instructions, auto&& aim_at,
+                           auto&& run) {
+  std::vector<Out> out(scenes.size());
+  std::array<std::vector<std::size_t>, 2> places;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    places[scenes[i].world.air.any() ? 1 : 0].push_back(i);
+  }
+  in_eights<Falling::Free>(places[0], instructions, aim_at, run, out);
+  in_eights<Falling::InAir>(places[1], instructions, aim_at, run, out);
   return out;
 }
 
@@ -123,7 +146,9 @@ std::optional<Scene> as_shot_for(const Scene& scene) {
 }  // namespace
 
 bool fits(const Scene& scene) {
-  return scene.body.rolls() && scene.world.ordinary() && !scene.limits.any() &&
+  const World& world = scene.world;
+  return scene.body.rolls() && !world.field_varies() && !world.losses.any() &&
+         world.start_speed == 0.0 && !scene.limits.any() &&
          scene.path == nullptr &&
          (scene.contact == Contact::Smooth || scene.contact == Contact::Centre);
 }
@@ -140,10 +165,10 @@ std::vector<Extremal> shoot(std::span<const Scene> scenes,
                             const Fineness& fineness,
                             Instructions instructions) {
   return in_eights<Extremal>(
-      scenes.size(), instructions,
+      scenes, instructions,
       [&](std::size_t i, Target& target) {
         const std::optional<Scene> natural = as_shot_for(scenes[i]);
-        return natural && aim(*natural, fineness.offsets, target);
+        return natural && aim(*natural, fineness, target);
       },
       [&](auto kernel, const Targets& targets, Extremals& eight) {
         kernel.shoot(targets, fineness, eight);
@@ -156,7 +181,7 @@ std::vector<Extremal> shoot_beside(std::span<const Scene> scenes,
                                    Instructions instructions) {
   const Scene before = in_natural_units(without_whole_turns(from));
   return in_eights<Extremal>(
-      scenes.size(), instructions,
+      scenes, instructions,
       [&](std::size_t i, Target& target) {
         const std::optional<Scene> natural = as_shot_for(scenes[i]);
         if (!natural) return false;
@@ -168,18 +193,41 @@ std::vector<Extremal> shoot_beside(std::span<const Scene> scenes,
       });
 }
 
-std::vector<Landing> land(std::span<const Scene> natural,
-                          const Extremal& extremal, Instructions instructions) {
-  const Fineness fineness{1, 0, extremal.places, 1};
-  return in_eights<Landing>(
-      natural.size(), instructions,
+namespace {
+
+/// As an extremal was shot for, one step between two of its places.
+template <class Out>
+std::vector<Out> shot_again(std::span<const Scene> natural,
+                            const Extremal& extremal, Instructions instructions,
+                            auto&& run) {
+  const Fineness fineness{1, 0, extremal.places, 2};
+  return in_eights<Out>(
+      natural, instructions,
       [&](std::size_t i, Target& target) {
         target = aim_beside(natural[i], natural[i], extremal, fineness.offsets);
         return true;
       },
-      [&](auto kernel, const Targets& targets, Landings& eight) {
-        kernel.land(targets, fineness, eight);
+      [&](auto kernel, const Targets& targets, auto& eight) {
+        run(kernel, targets, fineness, eight);
       });
+}
+
+}  // namespace
+
+std::vector<Landing> land(std::span<const Scene> natural,
+                          const Extremal& extremal, Instructions instructions) {
+  return shot_again<Landing>(
+      natural, extremal, instructions,
+      [](auto kernel, auto&... with_out) { kernel.land(with_out...); });
+}
+
+Response respond(const Scene& natural, const Extremal& extremal) {
+  return shot_again<Response>(std::span(&natural, 1), extremal,
+                              Instructions::Baseline,
+                              [](auto kernel, auto&... with_out) {
+                                kernel.respond(with_out...);
+                              })
+      .front();
 }
 
 }  // namespace brachisto::lanes

@@ -4,8 +4,8 @@
 /// \file
 /// Many free scenes at once: indirect shooting with eight scenes side by side.
 ///
-/// Each scene is continued from its own cycloid, η = 0, to its η_m, as one
-/// alone is, and looks at no other: its digits do not depend on which scenes
+/// Each scene is continued from its own cycloid, η = 0, to its η_m and then into
+/// its air, as one alone is, and looks at no other: its digits do not depend on which scenes
 /// stand beside it, nor on the processor.
 
 #pragma once
@@ -51,10 +51,8 @@ struct Extremal {
   std::array<Place, kMostPlaces + 1> path;  ///< at u = i U/places
   /// p_x, p_z, p_θ at the start, and U.
   std::array<double, kUnknowns> unknowns{};
-  /// How a shot answers to them: the residual, by rows, the slope at B and T.
-  std::array<std::array<double, kUnknowns>, kUnknowns> jacobian{};
-  std::array<double, kUnknowns> beta_by{}, time_by{};
-  /// Of that matrix' determinant, the same all along a branch.
+  /// Of the determinant of ∂(residual)/∂(unknowns), the same all along a
+  /// branch.
   double sign = 0.0;
 
   [[nodiscard]] double p_x() const { return unknowns[0]; }
@@ -68,10 +66,12 @@ struct Landing {
   std::array<double, Extremal::kUnknowns> residual{};
   double transit_time = 0.0, beta = 0.0;
 };
+/// How that changes with each of the unknowns.
+using Response = std::array<Landing, Extremal::kUnknowns>;
 
 /// Whether such a scene is one of those that are solved side by side: an
-/// off-centred cylinder or ball in the uniform field, from rest, without
-/// losses, limits and a path of its own.
+/// off-centred cylinder or ball in the uniform field, in air or not, from rest,
+/// without losses, limits and a path of its own.
 [[nodiscard]] bool fits(const Scene& scene);
 
 /// Sets of instructions that there is code for.
@@ -85,10 +85,11 @@ struct Fineness {
   int on_the_way;  ///< steps of the integration there
   int places;      ///< steps of the path that is kept, at the end
   int within;      ///< and of the integration for each of them
+  int into_world = 0;  ///< and then into the air, if there is any
 };
 /// Enough for three scenes of four, and for most of the others.
-inline constexpr Fineness kPlain{8, 10, kMostPlaces, 1},
-    kFine{16, 20, kMostPlaces, 2};
+inline constexpr Fineness kPlain{8, 10, kMostPlaces, 1, 4},
+    kFine{16, 20, kMostPlaces, 2, 8};
 
 /// The principal extremal of each scene.
 /// \pre fits() and validate() is empty of all
@@ -108,5 +109,7 @@ inline constexpr Fineness kPlain{8, 10, kMostPlaces, 1},
 [[nodiscard]] std::vector<Landing> land(
     std::span<const Scene> natural, const Extremal& extremal,
     Instructions instructions = best_instructions());
+/// How the shot of the scene itself responds to them, to the first order.
+[[nodiscard]] Response respond(const Scene& natural, const Extremal& extremal);
 
 }  // namespace brachisto::lanes

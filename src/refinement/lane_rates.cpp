@@ -22,13 +22,10 @@ constexpr Eigen::Index kSize = lanes::Extremal::kUnknowns;
 LaneRates::LaneRates(const Scene& natural,
                      std::shared_ptr<const lanes::Extremal> extremal)
     : scene_(with_rotation(natural)), extremal_(std::move(extremal)) {
-  for (std::size_t j = 0; j < lanes::Extremal::kUnknowns; ++j) {
-    Rates by{extremal_->time_by[j], extremal_->beta_by[j],
-             Eigen::VectorXd(kSize)};
-    for (Eigen::Index i = 0; i < kSize; ++i) {
-      by.open[i] = extremal_->jacobian[static_cast<std::size_t>(i)][j];
-    }
-    unknowns_.push_back(std::move(by));
+  for (const lanes::Landing& by : lanes::respond(scene_, *extremal_)) {
+    unknowns_.push_back(
+        {by.transit_time, by.beta,
+         Eigen::Map<const Eigen::VectorXd>(by.residual.data(), kSize)});
   }
 }
 

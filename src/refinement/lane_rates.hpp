@@ -22,9 +22,6 @@ namespace brachisto {
 /// one, all with the same y:
 ///
 ///     y_p = −R_y⁻¹ R_p,   dT/dp = T_p + T_y y_p.
-///
-/// R_y is that before the last steps of Newton's method: 1e-7 or so is left of
-/// that.
 class LaneRates final : public TimeRates {
  public:
   /// \param natural   the scene of the extremal, in natural units

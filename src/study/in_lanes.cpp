@@ -21,7 +21,7 @@ bool fits(const SceneToSolve& posed) {
   return program != nullptr && program->in_lanes &&
          posed.options.follows_the_branch() &&
          program->certify == Certify::None &&
-         program->sensitivities == SensitivityOrder::None &&
+         program->sensitivities != SensitivityOrder::Second &&
          program->discretisation.formulation == Formulation::RollingTime &&
          !program->discretisation.fixed() && !program->discretisation.degree &&
          lanes::fits(posed.scene) && validate(posed.scene).empty() &&
@@ -59,6 +59,11 @@ std::optional<Solution> judged(const SceneToSolve& posed,
   if (!out.verified()) return std::nullopt;
   out.diagnostics = motion.diagnose();
   if (!out.undecided_because().empty()) return std::nullopt;
+  if (posed.options.or_default<Collocation>().sensitivities ==
+      SensitivityOrder::First) {
+    out.sensitivities = sensitivities(out);
+    if (!out.sensitivities) return std::nullopt;
+  }
   return out;
 }
 

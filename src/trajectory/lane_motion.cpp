@@ -12,8 +12,8 @@
 #include "extremal/arc_flow.hpp"
 #include "model/energy.hpp"
 #include "model/field.hpp"
-#include "model/hamiltonian.hpp"
 #include "model/start_angle.hpp"
+#include "model/world_hamiltonian.hpp"
 #include "trajectory/checks.hpp"
 
 namespace brachisto {
@@ -70,10 +70,11 @@ LaneMotion::LaneMotion(const Scene& natural, const lanes::Extremal& extremal,
       changes_(static_cast<std::size_t>(extremal.places) + 1) {
   for (std::size_t i = 0; i < changes_.size(); ++i) {
     const lanes::Place& at = extremal.path[i];
-    const double s = std::sin(at.beta);
-    const double a = s + std::cos(at.theta) * natural.body.eta_m;
-    changes_[i] = {at.w * std::cos(at.beta) * step_, at.w * s * step_,
-                   at.w * turn_ * step_, natural.gravity * a * step_};
+    changes_[i] = {
+        at.w * std::cos(at.beta) * step_, at.w * std::sin(at.beta) * step_,
+        at.w * turn_ * step_,
+        speed_gain(natural, at.x, at.z, at.theta, at.w, at.beta, at.root) *
+            step_};
   }
 }
 
@@ -113,26 +114,26 @@ StartLimits LaneMotion::limits_at_start() const {
 namespace {
 
 /// What is seen at the places of an extremal.
+///
+/// \param lost  energy until there, per mass
 void look_along(const Scene& scene, const lanes::Extremal& extremal,
-                Certificate& certificate) {
+                const std::vector<double>& lost, Certificate& certificate) {
   Largest hamiltonian, drift, slope, gain = kBelowAll;
   int at_rest = 0;
-  const Body& body = scene.body;
   const Point start = start_of_centre(scene);
   for (int i = 0; i <= extremal.places; ++i) {
     const lanes::Place& at = extremal.path[static_cast<std::size_t>(i)];
     const double sigma = static_cast<double>(i) / extremal.places;
     const Costates p{extremal.p_x(), extremal.p_z(), at.p_theta, at.p_w};
-    const RollingState state{at.theta, at.w};
-    hamiltonian.see(std::abs(brachisto::hamiltonian(body, scene.gravity, state,
-                                                    p, at.beta)) /
-                        at.root,
-                    sigma);
-    gain.see(gain_of_other_directions(body, scene.gravity, state, p, at.beta),
-             sigma);
-    drift.see(std::abs(at.w * at.w / (2.0 * scene.gravity) -
-                       energy_height(body, at.z - start.z, at.theta)),
-              sigma);
+    const MovingState state{{at.x, at.z}, at.theta, at.w};
+    hamiltonian.see(
+        std::abs(brachisto::hamiltonian(scene, state, p, at.beta)) / at.root,
+        sigma);
+    gain.see(gain_of_other_directions(scene, state, p, at.beta), sigma);
+    const double height =
+        energy_height(scene.body, at.z - start.z, at.theta) -
+        lost[static_cast<std::size_t>(i)] / scene.gravity;
+    drift.see(std::abs(at.w * at.w / (2.0 * scene.gravity) - height), sigma);
     slope.see(std::abs(at.beta), sigma);
     if (i > 0 && !(at.w > 0.0)) ++at_rest;
   }
@@ -148,6 +149,18 @@ void look_along(const Scene& scene, const lanes::Extremal& extremal,
 
 }  // namespace
 
+double LaneMotion::lost_within(int step, double t) const {
+  if (!natural().world.air.any()) return 0.0;
+  static const math::QuadratureRule rule = math::gauss_legendre(4);
+  double lost = 0.0;
+  for (std::size_t i = 0; i < rule.points.size(); ++i) {
+    const PathState at = place(step, t * rule.points[i]).state;
+    const double v = at.w / root_of_inertia(natural().body, at.theta, at.beta);
+    lost += rule.weights[i] * t * step_ * at.w * drag(natural().world.air, v);
+  }
+  return lost;
+}
+
 Certificate certify(const LaneMotion& motion) {
   const lanes::Extremal& extremal = *motion.extremal_;
   const Scene& scene = motion.natural();
@@ -158,7 +171,11 @@ Certificate certify(const LaneMotion& motion) {
   const bool minimum =
       extremal.least_jacobian > 0.0 && extremal.by_length > 0.0;
   certificate.add("second_order", minimum ? 0.0 : 1.0, 0.0);
-  look_along(scene, extremal, certificate);
+  std::vector<double> lost{0.0};
+  for (int e = 0; e < extremal.places; ++e) {
+    lost.push_back(lost.back() + motion.lost_within(e, 1.0));
+  }
+  look_along(scene, extremal, lost, certificate);
 
   const Point start = start_of_centre(scene);
   const lanes::Place& last =
@@ -166,13 +183,18 @@ Certificate certify(const LaneMotion& motion) {
   check_contact(scene, start, start_angle(scene), {last.x, last.z},
                 extremal.phi, 0.0, certificate);
 
-  // Of the path nothing is taken but its slopes: θ is as far as it came.
+  // Of the path nothing is taken but its slopes, and what it loses: θ is as far
+  // as it came.
   static const math::QuadratureRule rule = math::gauss_legendre(4);
   double x = start.x, z = start.z, turned = 0.0, t = 0.0;
   for (int e = 0; e < extremal.places; ++e) {
     for (std::size_t i = 0; i < rule.points.size(); ++i) {
       const PathState at = motion.place(e, rule.points[i]).state;
-      const double E = energy_height(body, at.centre.z - start.z, at.theta);
+      const double E =
+          energy_height(body, at.centre.z - start.z, at.theta) -
+          (lost[static_cast<std::size_t>(e)] +
+           motion.lost_within(e, rule.points[i])) /
+              scene.gravity;
       const double w = fall_speed(scene.gravity, E);
       const double du = rule.weights[i] * motion.step_;
       x += du * w * std::cos(at.beta);

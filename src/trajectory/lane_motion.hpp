@@ -39,6 +39,10 @@ class LaneMotion final : public MeshMotion {
   [[nodiscard]] Place place(int element, double t) const override;
   [[nodiscard]] StartLimits limits_at_start() const override;
 
+  /// Energy that the air takes from the beginning of a step to its place t, per
+  /// mass.
+  [[nodiscard]] double lost_within(int step, double t) const;
+
   /// How an extremal changes at one of its places, over a step.
   struct Change {
     double x, z, theta, w;
@@ -62,7 +66,7 @@ class LaneMotion final : public MeshMotion {
 ///   weierstrass      max (𝓗(β) − 𝓗(b)) / √A over all directions b
 /// Integrity:
 ///   contact_error    distance of the track's ends from A and B
-///   energy_drift     max |w²/2g − E|
+///   energy_drift     max |w²/2g − E|, E less what the air takes
 ///   reintegration_error  T, place and θ at the end by Gauss's rule along the
 ///                    slopes, with the speed from the energy
 ///   slope_angle      continuous slope angle within [−π, π]: no loop

@@ -34,10 +34,16 @@ json rows_of(const ScratchDirectory& scratch, const std::string& name) {
       .at("rows");
 }
 
-TEST(SweepInLanes, HasTheAnswersOfTheScenesOwnSolves) {
+class SweepInLanesOf : public testing::TestWithParam<const char*> {};
+
+TEST_P(SweepInLanesOf, HasTheAnswersOfTheScenesOwnSolves) {
   const ScratchDirectory scratch;
-  ASSERT_EQ(sweep(scratch, "own").code, 0);
-  ASSERT_EQ(sweep(scratch, "lanes", {"--set", "solver.method=auto"}).code, 0);
+  const std::vector<std::string> asked{"--set", "solver.sensitivities=true",
+                                       "--set", GetParam()};
+  std::vector<std::string> in_lanes = asked;
+  in_lanes.insert(in_lanes.end(), {"--set", "solver.method=auto"});
+  ASSERT_EQ(sweep(scratch, "own", asked).code, 0);
+  ASSERT_EQ(sweep(scratch, "lanes", in_lanes).code, 0);
   const json own = rows_of(scratch, "own"), lanes = rows_of(scratch, "lanes");
 
   ASSERT_EQ(lanes.size(), own.size());
@@ -56,12 +62,20 @@ TEST(SweepInLanes, HasTheAnswersOfTheScenesOwnSolves) {
     // On the mesh of a solve to 1e-8 forces and angles have fewer digits.
     for (const char* figure :
          {"end_angle", "normal_force.max", "fold_margin", "curvature.max",
-          "friction.share_above_0.5", "grip.mu_after_5_percent"}) {
+          "friction.share_above_0.5", "grip.mu_after_5_percent",
+          "sensitivities.eta_m.tau", "sensitivities.L.tau"}) {
       EXPECT_NEAR(b[figure].get<double>(), a[figure].get<double>(), 2e-4)
           << figure << " " << i;
     }
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Worlds, SweepInLanesOf,
+                         testing::Values("scene.air.linear=0",
+                                         "scene.air.linear=0.2"),
+                         [](const auto& one) {
+                           return one.index == 0 ? "Free" : "InAir";
+                         });
 
 /// So accurate that some scenes are left to their own solves.
 TEST(SweepInLanes, IsTheSameWhoeverSolvesIt) {

@@ -34,18 +34,31 @@ std::vector<Scene> random_scenes(std::size_t count) {
   return scenes;
 }
 
+/// The same, each in an air of its own.
+std::vector<Scene> in_airs(std::vector<Scene> scenes) {
+  std::mt19937 random(39);
+  const auto up_to = [&](double most) {
+    return most * static_cast<double>(random()) / 4294967296.0;
+  };
+  for (Scene& scene : scenes) scene.world.air = {up_to(0.5), up_to(0.2)};
+  return scenes;
+}
+
 double transit_time(const Scene& scene, const Extremal& found) {
   return found.transit_time * natural_units(scene).time;
 }
 
 struct Attempt {
+  const char* name;
   Fineness fineness;
+  bool in_air;
   int least_served;
 };
 class ManyScenesTried : public testing::TestWithParam<Attempt> {};
 
 TEST_P(ManyScenesTried, HaveTheTimesOfTheIndirectMethodOfOne) {
-  const std::vector<Scene> scenes = random_scenes(24);
+  std::vector<Scene> scenes = random_scenes(24);
+  if (GetParam().in_air) scenes = in_airs(std::move(scenes));
 
   const std::vector<Extremal> found = shoot(scenes, GetParam().fineness);
 
@@ -66,12 +79,11 @@ TEST_P(ManyScenesTried, HaveTheTimesOfTheIndirectMethodOfOne) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Finenesses, ManyScenesTried,
-                         testing::Values(Attempt{kPlain, 16},
-                                         Attempt{kFine, 19}),
-                         [](const auto& info) {
-                           return info.param.fineness.within == 1 ? "Plain"
-                                                                  : "Fine";
-                         });
+                         testing::Values(Attempt{"Plain", kPlain, false, 16},
+                                         Attempt{"Fine", kFine, false, 19},
+                                         Attempt{"PlainInAir", kPlain, true, 16},
+                                         Attempt{"FineInAir", kFine, true, 19}),
+                         [](const auto& one) { return one.param.name; });
 
 TEST(ManyScenes, HaveTheClosedFormWithoutOffset) {
   constexpr double kUlp = std::numeric_limits<double>::epsilon();
@@ -90,7 +102,9 @@ TEST(ManyScenes, HaveTheClosedFormWithoutOffset) {
 }
 
 TEST(ManyScenes, HaveTheSameDigitsWhateverStandsBesideThem) {
-  const std::vector<Scene> scenes = random_scenes(11);
+  std::vector<Scene> scenes = random_scenes(11);
+  const std::vector<Scene> others = in_airs(random_scenes(5));
+  scenes.insert(scenes.begin() + 4, others.begin(), others.end());
 
   const std::vector<Extremal> together = shoot(scenes);
 
@@ -105,7 +119,9 @@ TEST(ManyScenes, HaveTheSameDigitsWhateverStandsBesideThem) {
 }
 
 TEST(ManyScenes, HaveTheSameDigitsWithAllInstructions) {
-  const std::vector<Scene> scenes = random_scenes(16);
+  std::vector<Scene> scenes = random_scenes(16);
+  const std::vector<Scene> others = in_airs(random_scenes(16));
+  scenes.insert(scenes.end(), others.begin(), others.end());
   const std::vector<Extremal> baseline =
       shoot(scenes, kFine, Instructions::Baseline);
   for (const Instructions set : {Instructions::Avx2, Instructions::Avx512}) {
@@ -120,6 +136,30 @@ TEST(ManyScenes, HaveTheSameDigitsWithAllInstructions) {
       EXPECT_EQ(wide[i].by_length, baseline[i].by_length) << i;
       EXPECT_EQ(wide[i].path[20].beta, baseline[i].path[20].beta) << i;
     }
+  }
+}
+
+/// In air w is a state of its own, and conditions of the second order are of
+/// three states; with little of it they are those of the two that there are
+/// without: ∂²T/∂S² differs by what the air changes of it.
+TEST(ManyScenes, HaveInThinAirTheSecondDerivativeOfFreeOnes) {
+  const std::vector<Scene> scenes = random_scenes(24);
+  std::vector<Scene> thin = scenes, thinner = scenes;
+  for (Scene& scene : thin) scene.world.air = {4e-3, 4e-3};
+  for (Scene& scene : thinner) scene.world.air = {2e-3, 2e-3};
+
+  const std::vector<Extremal> free = shoot(scenes), most = shoot(thin),
+                              least = shoot(thinner);
+
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    ASSERT_EQ(most[i].found, free[i].found) << i;
+    ASSERT_EQ(least[i].found, free[i].found) << i;
+    if (!free[i].found) continue;
+    const double change = least[i].by_length - free[i].by_length;
+    EXPECT_NEAR(change / free[i].by_length, 0.0, 0.1) << i;
+    // But for its square, and for rounding, of which 1/(air)² is seen.
+    EXPECT_NEAR((most[i].by_length - free[i].by_length) / change, 2.0, 0.1)
+        << i;
   }
 }
 

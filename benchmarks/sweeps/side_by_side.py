@@ -1,0 +1,83 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The brachisto authors
+# SPDX-License-Identifier: MIT
+"""Random scenes solved side by side, beside the same scenes solved each by itself.
+
+    side_by_side.py build/release/src/app/brachisto --count 10000 --seed 17
+    side_by_side.py build/release/src/app/brachisto --count 1000 --seed 17 --air
+
+Makes a sweep of random scenes, runs it with `solver.method: auto` and with `ipopt` and tells how
+many were left to their own solves, whether verdicts are equal, by how much T differs, and whether
+that is ever more than both estimated errors. Exit code 1 if verdicts differ or an estimate is
+below the difference.
+"""
+
+import argparse
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+PROBLEM = """
+scene:
+  body: {{shape: cylinder}}
+  finish: {{H: 1}}
+sweep:
+  random:
+    seed: {seed}
+    count: {count}
+    ranges:
+      scene.body.eta_m: {{from: 0, to: 0.85}}
+      scene.body.theta_m: {{from: -180 deg, to: 180 deg}}
+      scene.body.k: {{from: 0, to: 0.25}}
+      scene.body.radius: {{from: 0.15, to: 0.6}}
+      scene.finish.L: {{from: 1.5, to: 5}}
+"""
+AIR = """      scene.air.linear: {from: 0, to: 0.5}
+      scene.air.quadratic: {from: 0, to: 0.2}
+"""
+VERDICTS = ("verified", "feasible", "status")
+
+
+def rows(program, problem, method, folder, jobs):
+    out = str(folder / method)
+    subprocess.run([program, "sweep", str(problem), "--out", out, "--quiet", "--jobs", str(jobs),
+                    "--set", "solver.method=" + method], check=False)
+    text = subprocess.run([program, "export", out, "--json"], check=True, capture_output=True).stdout
+    return json.loads(text)["rows"]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
+    parser.add_argument("program")
+    parser.add_argument("--count", type=int, default=1000)
+    parser.add_argument("--seed", type=int, default=17)
+    parser.add_argument("--air", action="store_true", help="each scene in an air of its own")
+    parser.add_argument("--jobs", type=int, default=1)
+    asked = parser.parse_args()
+    text = PROBLEM.format(seed=asked.seed, count=asked.count)
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        problem = folder / "scenes.yaml"
+        problem.write_text(text + (AIR if asked.air else ""))
+        beside = rows(asked.program, problem, "auto", folder, asked.jobs)
+        alone = rows(asked.program, problem, "ipopt", folder, asked.jobs)
+
+    served = [(a, b) for a, b in zip(beside, alone) if a["engine"] == "lanes"]
+    others = [[r[v] for v in ("scene", *VERDICTS) if v in r] for r, s in served
+              if any(r[v] != s[v] for v in VERDICTS)]
+    print(f"{asked.count} scenes, {len(served)} side by side, "
+          f"{100 * (1 - len(served) / len(beside)):.1f} % left to their own solves")
+    print(f"verdicts that differ: {len(others)} {others[:5]}")
+    differences = [(abs(a["tau"] / b["tau"] - 1),
+                    abs(a["tau"] / b["tau"] - 1) / (a["estimated_error"] + b["estimated_error"]))
+                   for a, b in served if a["verified"] and b["verified"]]
+    print(f"{len(differences)} compared: T differs relatively by at most "
+          f"{max(d for d, _ in differences):.1e}, at most {max(s for _, s in differences):.2f} of "
+          "both estimated errors")
+    sys.exit(1 if others or max(s for _, s in differences) > 1 else 0)
+
+
+if __name__ == "__main__":
+    main()

@@ -258,13 +258,63 @@ bool Tightening::tighten_from(RoughPath path) {
   return tighten();
 }
 
-bool Tightening::solve_loosest() {
-  const Inequalities loose = relaxation_.at(0.0);
+bool Tightening::solve_anew(const Inequalities& limits) {
   last_.reset();
   rough_.reset();
-  const auto ends = next_ends(loose);
+  const auto ends = next_ends(limits);
   if (!ends) return none_at_rest();
-  return solve_rigid(loose, mesh_, *ends);
+  return solve_rigid(limits, mesh_, *ends);
+}
+
+bool Tightening::solve_loosest() {
+  return solve_anew(relaxation_.at(0.0));
+}
+
+bool Tightening::tighten_after(const std::vector<PathInequality>& looser) {
+  return solve_anew(looser) && tighten();
+}
+
+bool Tightening::close_contact() {
+  constexpr double kClosed = 1e-4, kLongest = 0.3;
+  constexpr int kMostPasses = 8;
+  if (!end_is_sought(scene_)) return true;
+  end_held_ = true;
+  double slope = -1.0;  // of what is open by φ
+  Held before = held();
+  for (int i = 0; i < kMostPasses; ++i) {
+    if (std::abs(before.open) <= kClosed) return true;
+    const double step = std::clamp(-before.open / slope, -kLongest, kLongest);
+    if (!solve_held(before.phi + step)) return false;
+    const Held here = held();
+    slope = (here.open - before.open) / step;
+    before = here;
+  }
+  return protocol_.fail(Status::NotConverged, "the contact at B stays open");
+}
+
+std::vector<LimitedCurve> Tightening::contacts_along() {
+  constexpr double kStep = 0.1, kSteepest = 1.4;
+  std::vector<LimitedCurve> out;
+  if (!end_is_sought(scene_)) return out;
+  end_held_ = true;
+  const LimitedCurve first = *last_;
+  const Held begin = held();
+  for (const double direction : {1.0, -1.0}) {
+    last_ = first;
+    Held before = begin;
+    while (!ipopt_.stop.met() && budget_ > 0) {
+      const double phi = before.phi + direction * kStep;
+      if (std::abs(phi) > kSteepest || !solve_held(phi)) break;
+      const LimitedCurve there = *last_;
+      const Held here = held();
+      if ((here.open < 0.0) != (before.open < 0.0) && close_in(before, here)) {
+        out.push_back(*last_);
+      }
+      last_ = there;
+      before = here;
+    }
+  }
+  return out;
 }
 
 bool Tightening::solve_finer() {

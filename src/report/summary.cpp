@@ -64,10 +64,11 @@ std::string asked(const Solution& solution) {
   }
   std::string text = "a track from A to B without a kink at either end: ";
   if (solution.options.searches()) {
-    text += fmt::format("the {} of the {} found",
-                        solution.feasible() ? "fastest verified and feasible"
-                                            : "fastest verified",
-                        counted(solution.branches.size(), branch_noun(solution)));
+    text +=
+        fmt::format("the {} of the {} found",
+                    solution.feasible() ? "fastest verified and feasible"
+                                        : "fastest verified",
+                    counted(solution.branches.size(), branch_noun(solution)));
   } else {
     text += fmt::format("the {}", track_kind(scene));
   }

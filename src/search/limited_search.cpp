@@ -74,15 +74,13 @@ class LimitedPaths {
         fmt::format(text, std::forward<Args>(args)...);
   }
 
-  /// \return whether it was not known
-  bool take(const LimitedCurve& path) {
-    if (std::ranges::any_of(out_.paths, [&](const LimitedCurve& known) {
+  /// Unless it is known.
+  void take(const LimitedCurve& path) {
+    if (std::ranges::none_of(out_.paths, [&](const LimitedCurve& known) {
           return alike(known, path);
         })) {
-      return false;
+      out_.paths.push_back(path);
     }
-    out_.paths.push_back(path);
-    return true;
   }
 
   /// Tightens from a start beside a free extremal.

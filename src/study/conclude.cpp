@@ -73,11 +73,11 @@ void record_loosened(const PosedProblem& posed,
       if (by == 0.0) continue;  // not verified as asked
       const PosedProblem problem = with_scene(posed, loosened(posed.asked, by));
       auto solution = std::make_shared<const Solution>(
-          within_limits(problem, [&](Solution& out) {
+          within_limits(problem, [&](Solution& tried) {
             const auto beside = refine_limited_beside(
                 *problem.limited, problem.program.discretisation, nearby.path,
-                problem.mesh_options_after(out.effort));
-            if (beside) conclude(problem, *beside, out);
+                problem.mesh_options_after(tried.effort));
+            if (beside) conclude(problem, *beside, tried);
           }));
       out.effort += solution->effort;
       if (!solution->verified()) continue;

@@ -251,7 +251,7 @@ void follow_given_path(const PosedProblem& posed, Solution& out) {
 /// known from the start first. It starts from what is cheap to know: the
 /// principal extremal, and where it is a saddle, the minima beside it.
 ContactSearch free_contacts(const PosedProblem& posed, const Start& principal,
-                            Solution& out) {
+                            const MeshOptions& each, Solution& out) {
   // As a multiple of the path of the uniform cylinder, or what is in its place.
   constexpr double kLongest = 3.0;
   const double uniform = posed.cycloid
@@ -260,8 +260,7 @@ ContactSearch free_contacts(const PosedProblem& posed, const Start& principal,
   std::vector<ContactCandidate> known;
   if (principal.curve) {
     known.push_back({*principal.curve, principal.phi});
-    Descent descent = descend(posed.natural, known.front(),
-                              posed.mesh_options_after(out.effort));
+    Descent descent = descend(posed.natural, known.front(), each);
     out.effort += descent.work;
     std::move(descent.minima.begin(), descent.minima.end(),
               std::back_inserter(known));
@@ -279,7 +278,7 @@ void search_contacts(const PosedProblem& posed, const Start& principal,
                      Solution& out) {
   // Each of the extremals may take what the limit allows.
   const MeshOptions each = posed.mesh_options_after(out.effort);
-  const ContactSearch search = free_contacts(posed, principal, out);
+  const ContactSearch search = free_contacts(posed, principal, each, out);
   JudgedBranches judged =
       judge_branches(posed, posed.program.discretisation, search.contacts,
                      principal.curve && !principal.continued_from_L, each);
@@ -306,10 +305,11 @@ void search_under_limits(const PosedProblem& posed, const Start& principal,
                          Solution& out) {
   if (principal.curve) refine_under_limits(posed, principal, out);
   if (posed.stop().met() || out.status == Status::NoFastestTrack) return;
-  const ContactSearch free = free_contacts(posed, principal, out);
+  const MeshOptions each = posed.mesh_options_after({});
+  const ContactSearch free = free_contacts(posed, principal, each, out);
   if (free.contacts.empty()) return;
-  const LimitedSearch search = find_limited_paths(*posed.limited, free.contacts,
-                                                  posed.mesh_options_after({}));
+  const LimitedSearch search =
+      find_limited_paths(*posed.limited, free.contacts, each);
   record(search, out);
   judge_limited_paths(posed, search.paths, out);
 }

@@ -21,6 +21,9 @@ namespace brachisto {
 
 namespace {
 
+/// Between slopes at B that are held [rad].
+constexpr double kEndStep = 0.1;
+
 bool winds(const LimitedCurve& curve) {
   constexpr double kTooSteep = 0.999 * std::numbers::pi;
   const VariableLayout& layout = curve.problem().layout();
@@ -293,26 +296,19 @@ bool Tightening::close_contact() {
 }
 
 std::vector<LimitedCurve> Tightening::contacts_along() {
-  constexpr double kStep = 0.1, kSteepest = 1.4;
   std::vector<LimitedCurve> out;
   if (!end_is_sought(scene_)) return out;
-  end_held_ = true;
   const LimitedCurve first = *last_;
-  const Held begin = held();
   for (const double direction : {1.0, -1.0}) {
     last_ = first;
-    Held before = begin;
-    while (!ipopt_.stop.met() && budget_ > 0) {
-      const double phi = before.phi + direction * kStep;
-      if (std::abs(phi) > kSteepest || !solve_held(phi)) break;
-      const LimitedCurve there = *last_;
-      const Held here = held();
-      if ((here.open < 0.0) != (before.open < 0.0) && close_in(before, here)) {
-        out.push_back(*last_);
+    turn_end(direction, [&](const Held& before, const Held& here) {
+      if (here.beyond(before)) {
+        const LimitedCurve there = *last_;
+        if (close_in(before, here)) out.push_back(*last_);
+        last_ = there;
       }
-      last_ = there;
-      before = here;
-    }
+      return !ipopt_.stop.met() && budget_ > 0;
+    });
   }
   return out;
 }
@@ -325,32 +321,41 @@ bool Tightening::solve_finer() {
   return true;
 }
 
-bool Tightening::bracket_contact() {
-  constexpr double kStep = 0.1, kSteepest = 1.4;
+void Tightening::turn_end(
+    double direction,
+    const std::function<bool(const Held& before, const Held& here)>& go_on) {
+  constexpr double kSteepest = 1.4;
   end_held_ = true;
+  Held before = held();
+  for (double phi = before.phi + direction * kEndStep;
+       std::abs(phi) < kSteepest; phi += direction * kEndStep) {
+    if (!solve_held(phi)) return;
+    const Held here = held();
+    if (!go_on(before, here)) return;
+    before = here;
+  }
+}
+
+bool Tightening::bracket_contact() {
   last_ = tight_;
   const LimitedCurve first = *last_;
   const Held begin = held();
   double least = std::abs(begin.open);
   double lowest = begin.phi, highest = begin.phi;
+  std::optional<bool> closed;
   for (const double direction : {1.0, -1.0}) {
     last_ = first;
-    Held before = begin;
-    for (double phi = begin.phi + direction * kStep; std::abs(phi) < kSteepest;
-         phi += direction * kStep) {
-      if (!solve_held(phi)) break;
-      const Held here = held();
+    turn_end(direction, [&](const Held& before, const Held& here) {
       least = std::min(least, std::abs(here.open));
-      lowest = std::min(lowest, phi);
-      highest = std::max(highest, phi);
-      if ((here.open < 0.0) != (before.open < 0.0)) {
-        return close_in(before, here);
-      }
-      before = here;
-    }
+      lowest = std::min(lowest, here.phi);
+      highest = std::max(highest, here.phi);
+      if (here.beyond(before)) closed = close_in(before, here);
+      return !closed;
+    });
+    if (closed) return *closed;
     if (ipopt_.stop.met()) return false;
   }
-  if (highest - lowest < 2.0 * kStep) return false;
+  if (highest - lowest < 2.0 * kEndStep) return false;
   return protocol_.fail(
       Status::NoSmoothContact,
       fmt::format("no smooth contact was found under these limits: for slopes "

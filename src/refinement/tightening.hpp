@@ -138,7 +138,16 @@ class Tightening {
   /// A slope that C_B is built from and how far the end is off it [rad].
   struct Held {
     double phi, open;
+    /// Whether a contact lies between the two, or a jump.
+    [[nodiscard]] bool beyond(const Held& other) const {
+      return (open < 0.0) != (other.open < 0.0);
+    }
   };
+  /// Holds that slope further and further to one side of that of last(), as
+  /// long as there are paths and two neighbours say to go on.
+  void turn_end(
+      double direction,
+      const std::function<bool(const Held& before, const Held& here)>& go_on);
   bool none_at_rest();
   bool solve_held(double phi);
   [[nodiscard]] Held held();

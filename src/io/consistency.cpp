@@ -138,13 +138,11 @@ void exclude(const Check& check, std::span<const Excluded> words,
 /// What knows the free motion between smooth contacts or fixed ends alone.
 constexpr std::string_view kOtherStarts =
     "starts elsewhere are tried for the free motion alone";
-constexpr std::array<Excluded, 5> kOfFreeMotion{
+constexpr std::array<Excluded, 4> kOfFreeMotion{
     {{"discretisation.formulation", "arc_length",
       "straight pieces have neither forces nor curvatures to bound"},
      {"solver.method", "fsolve",
       "the paper's discrete system consists of equations alone"},
-     {"solver.search", "global",
-      "the search is for smooth contacts of the free motion"},
      {"solver.guess", "straight", kOtherStarts},
      {"solver.guess", "random", kOtherStarts}}};
 

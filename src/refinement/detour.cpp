@@ -4,11 +4,15 @@
 #include "refinement/detour.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
 #include <numbers>
 #include <optional>
 
 #include "brachisto/math/index.hpp"
+#include "math/portable_random.hpp"
 #include "model/energy.hpp"
 #include "refinement/limit_relaxation.hpp"
 
@@ -71,6 +75,96 @@ std::optional<RoughPath> rolled(const Scene& scene,
   return path;
 }
 
+/// Places of the centre, close together at rest, and the length up to each.
+struct Line {
+  std::vector<Point> centre;
+  std::vector<double> length{0.0};
+};
+Line line_of(const ExtremalCurve& free) {
+  constexpr int kPlaces = 400;
+  Line out;
+  for (int i = 0; i <= kPlaces; ++i) {
+    const double sigma = static_cast<double>(i) / kPlaces;
+    const TurningPoint<double> at = turning_point(free, sigma);
+    if (i > 0) {
+      out.length.push_back(out.length.back() +
+                           distance(out.centre.back(), {at.x, at.z}));
+    }
+    out.centre.push_back({at.x, at.z});
+  }
+  return out;
+}
+
+/// Where a line passes a disc next to its centre, and how far off.
+struct Passage {
+  std::size_t nearest = 0;
+  Point normal;       ///< of the line, to its left, which is over it
+  double over = 0.0;  ///< so far along the normal the disc's centre is below
+
+  Passage(const Line& line, const PathInequality& disc) {
+    const std::vector<Point>& centre = line.centre;
+    for (std::size_t i = 1; i < centre.size(); ++i) {
+      if (distance(centre[i], disc.place) <
+          distance(centre[nearest], disc.place)) {
+        nearest = i;
+      }
+    }
+    if (at_an_end(line)) return;
+    const Point before = centre[nearest - 1], after = centre[nearest + 1];
+    const double chord = distance(before, after);
+    normal = {(after.z - before.z) / chord, -(after.x - before.x) / chord};
+    const Point from = centre[nearest];
+    over =
+        (from.x - disc.place.x) * normal.x + (from.z - disc.place.z) * normal.z;
+  }
+  [[nodiscard]] bool at_an_end(const Line& line) const {
+    return nearest == 0 || nearest + 1 == line.centre.size();
+  }
+  [[nodiscard]] bool is_near(const Line& line,
+                             const PathInequality& disc) const {
+    constexpr double kNear = 2.0;
+    return !at_an_end(line) &&
+           distance(line.centre[nearest], disc.place) <= kNear * disc.number;
+  }
+};
+
+/// Bends a line past a disc on a side: a bump as long as the disc reaches and
+/// the line is moved, none at A and B. Nothing where it passes there already.
+void bend(Line& line, const Passage& passage, double reach, bool over) {
+  constexpr double kRoom = 1.05;
+  const double side = over ? 1.0 : -1.0;
+  const double shift = kRoom * reach - side * passage.over;
+  if (!(shift > 0.0)) return;
+  const double width = 0.7 * (reach + shift);
+  const double here = line.length[passage.nearest], all = line.length.back();
+  for (std::size_t i = 0; i < line.centre.size(); ++i) {
+    const double off = (line.length[i] - here) / width;
+    const double room = line.length[i] < here
+                            ? line.length[i] / here
+                            : (all - line.length[i]) / (all - here);
+    const double bump =
+        side * shift * std::exp(-off * off) * std::min(1.0, room);
+    line.centre[i].x += bump * passage.normal.x;
+    line.centre[i].z += bump * passage.normal.z;
+  }
+  for (std::size_t i = 1; i < line.centre.size(); ++i) {
+    line.length[i] =
+        line.length[i - 1] + distance(line.centre[i - 1], line.centre[i]);
+  }
+}
+
+/// The discs that a line passes near.
+std::vector<PathInequality> near_discs(
+    const Line& line, const std::vector<PathInequality>& limits) {
+  std::vector<PathInequality> out;
+  std::ranges::copy_if(limits, std::back_inserter(out),
+                       [&](const PathInequality& limit) {
+                         return limit.kind == PathInequality::Kind::Disc &&
+                                Passage(line, limit).is_near(line, limit);
+                       });
+  return out;
+}
+
 }  // namespace
 
 TurningPoint<double> RoughPath::at(double sigma) const {
@@ -87,58 +181,65 @@ TurningPoint<double> RoughPath::at(double sigma) const {
 
 std::vector<RoughPath> detours(const Scene& scene, const ExtremalCurve& free,
                                const std::vector<PathInequality>& limits) {
-  constexpr int kPlaces = 400;
-  constexpr double kNear = 2.0, kRoom = 1.05;
-  std::vector<Point> centre;
-  std::vector<double> length{0.0};
-  for (int i = 0; i <= kPlaces; ++i) {
-    // Places close together at rest.
-    const double sigma = static_cast<double>(i) / kPlaces;
-    const TurningPoint<double> at = turning_point(free, sigma);
-    if (i > 0) {
-      length.push_back(length.back() + distance(centre.back(), {at.x, at.z}));
+  const Line line = line_of(free);
+  std::vector<RoughPath> out;
+  for (const PathInequality& disc : near_discs(line, limits)) {
+    const Passage passage(line, disc);
+    Line bent = line;
+    bend(bent, passage, disc.number, passage.over <= 0.0);
+    if (auto path = rolled(scene, bent.centre, turning_point(free, 0.0))) {
+      out.push_back(*std::move(path));
     }
-    centre.push_back({at.x, at.z});
+  }
+  return out;
+}
+
+std::vector<RoughPath> ways_past_discs(
+    const Scene& scene, const ExtremalCurve& free,
+    const std::vector<PathInequality>& limits) {
+  const Line line = line_of(free);
+  std::vector<PathInequality> discs = near_discs(line, limits);
+  if (discs.size() > kMostDiscs) {
+    discs.erase(discs.begin() + kMostDiscs, discs.end());
   }
   std::vector<RoughPath> out;
-  for (const PathInequality& limit : limits) {
-    if (limit.kind != PathInequality::Kind::Disc) continue;
-    std::size_t nearest = 0;
-    for (std::size_t i = 1; i < centre.size(); ++i) {
-      if (distance(centre[i], limit.place) <
-          distance(centre[nearest], limit.place)) {
-        nearest = i;
+  if (discs.empty()) return out;
+  for (unsigned sides = 0; sides < 1U << discs.size(); ++sides) {
+    Line bent = line;
+    for (std::size_t i = 0; i < discs.size(); ++i) {
+      const Passage passage(bent, discs[i]);
+      if (passage.at_an_end(bent)) continue;
+      bend(bent, passage, discs[i].number, (sides >> i & 1U) != 0);
+    }
+    if (auto path = rolled(scene, bent.centre, turning_point(free, 0.0))) {
+      out.push_back(*std::move(path));
+    }
+  }
+  return out;
+}
+
+std::vector<RoughPath> waves(const Scene& scene, const ExtremalCurve& free,
+                             int count) {
+  constexpr int kWaves = 4, kMostTries = 20;
+  constexpr std::uint64_t kSeed = 1;
+  constexpr double kHeight = 0.3;  // of the first one, in H
+  SplitMix64 random(SplitMix64::scrambled(kSeed));
+  const Line line = line_of(free);
+  std::vector<RoughPath> out;
+  for (int i = 0; i < kMostTries && std::ssize(out) < count; ++i) {
+    std::array<double, kWaves> heights{};
+    for (int k = 0; k < kWaves; ++k) {
+      heights[at(k)] = random.uniform(-1.0, 1.0) * kHeight * scene.H / (k + 1);
+    }
+    Line wavy = line;
+    for (std::size_t j = 0; j < wavy.centre.size(); ++j) {
+      const double share = line.length[j] / line.length.back();
+      for (int k = 0; k < kWaves; ++k) {
+        wavy.centre[j].z +=
+            heights[at(k)] * std::sin((k + 1) * std::numbers::pi * share);
       }
     }
-    const Point from = centre[nearest];
-    const double near = distance(from, limit.place);
-    const double reach = limit.number;
-    if (near > kNear * reach || nearest == 0 || nearest + 1 == centre.size()) {
-      continue;
-    }
-    // The normal of the path there, towards the disc's centre.
-    const Point before = centre[nearest - 1], after = centre[nearest + 1];
-    const double chord = distance(before, after);
-    Point normal{-(after.z - before.z) / chord, (after.x - before.x) / chord};
-    const double along = (limit.place.x - from.x) * normal.x +
-                         (limit.place.z - from.z) * normal.z;
-    if (along < 0.0) normal = {-normal.x, -normal.z};
-    const double shift = std::abs(along) + kRoom * reach;
-    // A bump as long as the disc reaches and the shift is high, none at A and
-    // B.
-    const double width = 0.7 * (reach + shift);
-    std::vector<Point> bent = centre;
-    const double all = length.back();
-    for (std::size_t i = 0; i < bent.size(); ++i) {
-      const double off = (length[i] - length[nearest]) / width;
-      const double room = length[i] < length[nearest]
-                              ? length[i] / length[nearest]
-                              : (all - length[i]) / (all - length[nearest]);
-      const double bump = shift * std::exp(-off * off) * std::min(1.0, room);
-      bent[i].x += bump * normal.x;
-      bent[i].z += bump * normal.z;
-    }
-    if (auto path = rolled(scene, bent, turning_point(free, 0.0))) {
+    if (auto path = rolled(scene, wavy.centre, turning_point(free, 0.0))) {
       out.push_back(*std::move(path));
     }
   }

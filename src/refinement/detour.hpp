@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "brachisto/model/scene.hpp"
@@ -31,5 +32,23 @@ struct RoughPath {
 [[nodiscard]] std::vector<RoughPath> detours(
     const Scene& scene, const ExtremalCurve& free,
     const std::vector<PathInequality>& limits);
+
+/// Of no more discs both sides are tried.
+inline constexpr std::size_t kMostDiscs = 3;
+
+/// The free extremal bent past the discs that it passes near, once for each way
+/// of being over or under them.
+[[nodiscard]] std::vector<RoughPath> ways_past_discs(
+    const Scene& scene, const ExtremalCurve& free,
+    const std::vector<PathInequality>& limits);
+
+/// The free extremal with random waves on it, always the same, ends held:
+///
+///     z + Σ_k a_k sin(k π s/S),  |a_k| ≤ 0.3 H/k,  k = 1 … 4.
+///
+/// \return so many, or fewer where most are no ways of a body
+[[nodiscard]] std::vector<RoughPath> waves(const Scene& scene,
+                                           const ExtremalCurve& free,
+                                           int count);
 
 }  // namespace brachisto

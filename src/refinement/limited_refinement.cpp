@@ -16,8 +16,8 @@
 #include "brachisto/math/index.hpp"
 #include "model/loosened_limits.hpp"
 #include "model/scene_coordinate.hpp"
-#include "refinement/arc_accuracy.hpp"
 #include "refinement/arc_search.hpp"
+#include "refinement/arcs_from_mesh.hpp"
 #include "refinement/open_conditions.hpp"
 #include "refinement/surface_passages.hpp"
 #include "refinement/tightening.hpp"
@@ -66,9 +66,6 @@ class LimitedSolve {
   }
 
  private:
-  /// Arcs are found with elements that follow them well, whatever is wanted.
-  static constexpr int kDegree = 7;
-
   [[nodiscard]] LimitedRefinement finished() {
     std::optional<BlockingLimit> blocking;
     if (!answer_ && tightening_ &&
@@ -97,7 +94,7 @@ class LimitedSolve {
     const PhaseTimer timer(Phase::Start);
     const bool tightened = tightening_->tighten() || go_around();
     std::optional<FittedPath> path;
-    if (tightened) path = read_off(kDegree);
+    if (tightened) path = read_off();
     if (path || protocol_.status == Status::NoFastestTrack) return path;
     const Status status = protocol_.status;
     const bool none =
@@ -116,7 +113,7 @@ class LimitedSolve {
     if (!path && !stopped()) path = follow_from_loosest();
     if (!path && !mesh_ && tightened && end_is_sought(scene_) && !stopped() &&
         tightening_->bracket_contact()) {
-      path = read_off(kDegree);
+      path = read_off();
     }
     if (!path && !stopped() && protocol_.status != Status::NoSmoothContact) {
       protocol_.fail(status, message + followed());  // of the first attempt
@@ -141,20 +138,12 @@ class LimitedSolve {
   /// What the program finds next to a path that keeps looser limits.
   [[nodiscard]] std::optional<FittedPath> from_nearby(const FittedPath& path) {
     if (stopped() || !tightening_->tighten_from(path.curve)) return {};
-    return read_off(kDegree);
+    return read_off();
   }
 
   void refine(std::optional<FittedPath> path) {
-    const int p = wanted_.degree.value_or(
-        wanted_.fixed() ? wanted_.degree_of_fixed() : kDegree);
-    if (path && wanted_.fixed()) {
-      path = on_fixed_mesh(*path, p, limits_, wanted_, arcs_);
-    } else if (path && p != kDegree) {
-      path = arcs_.fit(path->curve, {limits_, path->arcs, path->ends}, p).path;
-    }
     if (!path) return;
-    auto found =
-        refine_arcs(*std::move(path), p, limits_, wanted_, arcs_, protocol_);
+    auto found = refined(*std::move(path), wanted_, arcs_, protocol_);
     if (found) answer_ = std::move(found);
   }
 
@@ -163,37 +152,20 @@ class LimitedSolve {
   // ---- Arcs.
 
   /// From what the interior-point method found.
-  [[nodiscard]] std::optional<FittedPath> read_off(int degree) {
+  [[nodiscard]] std::optional<FittedPath> read_off() {
     constexpr int kMostMeshes = 2;
     for (int i = 0; i < kMostMeshes; ++i) {
       if (i > 0 && !tightening_->solve_finer()) return std::nullopt;
-      auto path = arcs_from(tightening_->last(), degree);
+      auto path = arcs_from(tightening_->last());
       if (path || stopped() || protocol_.status == Status::NoFastestTrack) {
         return path;
       }
     }
     return std::nullopt;
   }
-  [[nodiscard]] std::optional<FittedPath> arcs_from(const LimitedCurve& mesh,
-                                                    int degree) {
-    const std::vector<Arc> arcs = arcs_of(mesh);
-    if (kinks_at_rest(mesh, arcs)) {
-      protocol_.fail(Status::NoFastestTrack,
-                     "there is no fastest track under these limits: the more "
-                     "sharply it turns upwards right behind A, where a normal "
-                     "force bounds no turn, the faster it is; try "
-                     "limits.curvature.valley");
-      return std::nullopt;
-    }
-    const ArcsFromA from_A = with_corner(mesh.problem(), arcs);
-    LimitedEnds ends = mesh.problem().ends();
-    ends.corner = from_A.corner;
-    for (const bool graded : {false, true}) {
-      auto path = arcs_.fit_corrected(mesh, {limits_, from_A.arcs, ends},
-                                      degree, graded);
-      if (path || stopped()) return path;
-    }
-    return std::nullopt;
+  [[nodiscard]] std::optional<FittedPath> arcs_from(const LimitedCurve& mesh) {
+    return brachisto::arcs_from(mesh, kArcDegree, arcs_, protocol_,
+                                options_.ipopt.stop);
   }
 
   /// Of Newton's method on arcs, along one way: those that lead anywhere take a
@@ -216,13 +188,13 @@ class LimitedSolve {
                                                      Stage stage) {
     PathSetting setting{std::move(stage.limits), path.arcs, path.ends};
     if (!stage.scene) {
-      return arcs_.fit_corrected(path.curve, std::move(setting), kDegree);
+      return arcs_.fit_corrected(path.curve, std::move(setting), kArcDegree);
     }
-    PathSystem there(*stage.scene, setting, kDegree);
+    PathSystem there(*stage.scene, setting, kArcDegree);
     if (!there.move_to(setting, prolong(path.curve, there.problem()))) {
       return std::nullopt;
     }
-    return arcs_.fit_corrected(there.curve(), std::move(setting), kDegree);
+    return arcs_.fit_corrected(there.curve(), std::move(setting), kArcDegree);
   }
 
   /// Of the way from one scene to another: shares of it.
@@ -292,7 +264,7 @@ class LimitedSolve {
         arcs_.fit_corrected(
             loosest,
             {relaxation.at(0.0), arcs_of(loosest), loosest.problem().ends()},
-            kDegree),
+            kArcDegree),
         [&](double share) { return Stage{relaxation.at(share)}; },
         {.first = 0.05});
     reached_ = way.share;
@@ -311,15 +283,11 @@ class LimitedSolve {
         *tightening_->tight(),
         wanted_.tolerance.value_or(kToleranceWithoutArcs), left(), protocol_);
     if (!mesh_ || stopped()) return {};
-    return arcs_from(mesh_->path.curve, kDegree);
+    return arcs_from(mesh_->path.curve);
   }
   void take_mesh() {
-    answer_.emplace(LimitedAnswer{mesh_->path, mesh_->estimated_error});
+    answer_.emplace(answer_without_arcs(*mesh_, protocol_));
     loosened_.clear();
-    protocol_.status = Status::Solved;
-    protocol_.message =
-        "solved under limits on a mesh that knows no arcs; where limits begin "
-        "and cease to hold was not found";
   }
 
   // ---- From limits that ask for less, each step an answer to them.
@@ -353,7 +321,7 @@ class LimitedSolve {
     if (nearby != nullptr) {
       path = solve.from_nearby(*nearby);
     } else if (solve.tightening_->tighten()) {
-      path = solve.read_off(kDegree);
+      path = solve.read_off();
     }
     RefinementProtocol done = std::move(solve.protocol_).finished();
     std::ranges::move(done.meshes, std::back_inserter(protocol_.meshes));

@@ -21,6 +21,9 @@ namespace brachisto {
 
 namespace {
 
+/// Between slopes at B that are held [rad].
+constexpr double kEndStep = 0.1;
+
 bool winds(const LimitedCurve& curve) {
   constexpr double kTooSteep = 0.999 * std::numbers::pi;
   const VariableLayout& layout = curve.problem().layout();
@@ -258,13 +261,56 @@ bool Tightening::tighten_from(RoughPath path) {
   return tighten();
 }
 
-bool Tightening::solve_loosest() {
-  const Inequalities loose = relaxation_.at(0.0);
+bool Tightening::solve_anew(const Inequalities& limits) {
   last_.reset();
   rough_.reset();
-  const auto ends = next_ends(loose);
+  const auto ends = next_ends(limits);
   if (!ends) return none_at_rest();
-  return solve_rigid(loose, mesh_, *ends);
+  return solve_rigid(limits, mesh_, *ends);
+}
+
+bool Tightening::solve_loosest() {
+  return solve_anew(relaxation_.at(0.0));
+}
+
+bool Tightening::tighten_after(const std::vector<PathInequality>& looser) {
+  return solve_anew(looser) && tighten();
+}
+
+bool Tightening::close_contact() {
+  constexpr double kClosed = 1e-4, kLongest = 0.3;
+  constexpr int kMostPasses = 8;
+  if (!end_is_sought(scene_)) return true;
+  end_held_ = true;
+  double slope = -1.0;  // of what is open by φ
+  Held before = held();
+  for (int i = 0; i < kMostPasses; ++i) {
+    if (std::abs(before.open) <= kClosed) return true;
+    const double step = std::clamp(-before.open / slope, -kLongest, kLongest);
+    if (!solve_held(before.phi + step)) return false;
+    const Held here = held();
+    slope = (here.open - before.open) / step;
+    before = here;
+  }
+  return protocol_.fail(Status::NotConverged, "the contact at B stays open");
+}
+
+std::vector<LimitedCurve> Tightening::contacts_along() {
+  std::vector<LimitedCurve> out;
+  if (!end_is_sought(scene_)) return out;
+  const LimitedCurve first = *last_;
+  for (const double direction : {1.0, -1.0}) {
+    last_ = first;
+    turn_end(direction, [&](const Held& before, const Held& here) {
+      if (here.beyond(before)) {
+        const LimitedCurve there = *last_;
+        if (close_in(before, here)) out.push_back(*last_);
+        last_ = there;
+      }
+      return !ipopt_.stop.met() && budget_ > 0;
+    });
+  }
+  return out;
 }
 
 bool Tightening::solve_finer() {
@@ -275,32 +321,41 @@ bool Tightening::solve_finer() {
   return true;
 }
 
-bool Tightening::bracket_contact() {
-  constexpr double kStep = 0.1, kSteepest = 1.4;
+void Tightening::turn_end(
+    double direction,
+    const std::function<bool(const Held& before, const Held& here)>& go_on) {
+  constexpr double kSteepest = 1.4;
   end_held_ = true;
+  Held before = held();
+  for (double phi = before.phi + direction * kEndStep;
+       std::abs(phi) < kSteepest; phi += direction * kEndStep) {
+    if (!solve_held(phi)) return;
+    const Held here = held();
+    if (!go_on(before, here)) return;
+    before = here;
+  }
+}
+
+bool Tightening::bracket_contact() {
   last_ = tight_;
   const LimitedCurve first = *last_;
   const Held begin = held();
   double least = std::abs(begin.open);
   double lowest = begin.phi, highest = begin.phi;
+  std::optional<bool> closed;
   for (const double direction : {1.0, -1.0}) {
     last_ = first;
-    Held before = begin;
-    for (double phi = begin.phi + direction * kStep; std::abs(phi) < kSteepest;
-         phi += direction * kStep) {
-      if (!solve_held(phi)) break;
-      const Held here = held();
+    turn_end(direction, [&](const Held& before, const Held& here) {
       least = std::min(least, std::abs(here.open));
-      lowest = std::min(lowest, phi);
-      highest = std::max(highest, phi);
-      if ((here.open < 0.0) != (before.open < 0.0)) {
-        return close_in(before, here);
-      }
-      before = here;
-    }
+      lowest = std::min(lowest, here.phi);
+      highest = std::max(highest, here.phi);
+      if (here.beyond(before)) closed = close_in(before, here);
+      return !closed;
+    });
+    if (closed) return *closed;
     if (ipopt_.stop.met()) return false;
   }
-  if (highest - lowest < 2.0 * kStep) return false;
+  if (highest - lowest < 2.0 * kEndStep) return false;
   return protocol_.fail(
       Status::NoSmoothContact,
       fmt::format("no smooth contact was found under these limits: for slopes "

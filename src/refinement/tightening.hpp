@@ -53,6 +53,23 @@ class Tightening {
   [[nodiscard]] bool tighten_from(const LimitedCurve& nearby);
   [[nodiscard]] bool tighten_from(RoughPath path);
 
+  /// The same from the solution under limits that are looser.
+  [[nodiscard]] bool tighten_after(const std::vector<PathInequality>& looser);
+
+  /// Moves the slope that C_B is built from until it is that of the path's end,
+  /// to what a mesh without junctions is worth; without effect where it is not
+  /// sought. What is found then is last().
+  ///
+  /// \pre tighten() succeeded
+  [[nodiscard]] bool close_contact();
+
+  /// All contacts at B that are met under the limits of the scene where that
+  /// slope is held at one place after the other, to both sides of that of
+  /// last(); see bracket_contact().
+  ///
+  /// \pre tighten() succeeded
+  [[nodiscard]] std::vector<LimitedCurve> contacts_along();
+
   /// Where the contact at B cannot be followed: under the limits of the scene
   /// with the slope that C_B is built from held at one place after the other,
   /// until the slope at the end less that one changes its sign between two,
@@ -104,6 +121,8 @@ class Tightening {
   [[nodiscard]] PrimalDual start_of(const LimitedTime& problem) const;
   bool solve_rigid(const Inequalities& limits, const Mesh& mesh,
                    const LimitedEnds& ends);
+  /// The same on the first mesh, from the free extremal.
+  bool solve_anew(const Inequalities& limits);
   /// With limits that give way at a price.
   bool solve_elastic(const LimitedEnds& ends, double price);
   /// At rising prices, until the limits do not give way any more. False if they
@@ -119,7 +138,16 @@ class Tightening {
   /// A slope that C_B is built from and how far the end is off it [rad].
   struct Held {
     double phi, open;
+    /// Whether a contact lies between the two, or a jump.
+    [[nodiscard]] bool beyond(const Held& other) const {
+      return (open < 0.0) != (other.open < 0.0);
+    }
   };
+  /// Holds that slope further and further to one side of that of last(), as
+  /// long as there are paths and two neighbours say to go on.
+  void turn_end(
+      double direction,
+      const std::function<bool(const Held& before, const Held& here)>& go_on);
   bool none_at_rest();
   bool solve_held(double phi);
   [[nodiscard]] Held held();

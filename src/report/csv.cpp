@@ -4,6 +4,7 @@
 #include "report/csv.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +13,7 @@
 
 #include "brachisto/math/clock.hpp"
 #include "brachisto/report/result.hpp"
+#include "report/arc_structure.hpp"
 #include "report/rich_text.hpp"
 #include "report/sweep_scenes.hpp"
 #include "trajectory/stated_limits.hpp"
@@ -80,19 +82,6 @@ constexpr Column kColumns[] = {
     {{"kappa_b", "1/m", "curvature of the track"},
      [](const TrajectoryPoint& p) { return p.motion.kappa_b; }}};
 
-/// Names of the limits that hold as equations at a place, joined by +.
-std::string active_at(double sigma, const std::vector<LimitOnPath>& limits) {
-  std::string names;
-  for (const LimitOnPath& limit : limits) {
-    const bool active =
-        std::ranges::any_of(limit.active, [&](const ActiveArc& arc) {
-          return arc.sigma.from <= sigma && sigma <= arc.sigma.to;
-        });
-    if (active) names += (names.empty() ? "" : "+") + limit.name;
-  }
-  return names;
-}
-
 /// A column of a trajectory: a number per row, which a bead may not have, or
 /// words.
 struct Cells {
@@ -115,9 +104,11 @@ std::vector<Cells> cells_of(const Motion& motion) {
 std::vector<Cells> cells_of(const Solution& solution) {
   std::vector<Cells> columns = cells_of(*solution.motion());
   if (!solution.scene.limits.any()) return columns;
-  columns.push_back({"active", {}, [&](const TrajectoryPoint& row) {
-                       return active_at(row.sigma, solution.limits);
-                     }});
+  columns.push_back(
+      {"active", {}, [&](const TrajectoryPoint& row) {
+         return fmt::format(
+             "{}", fmt::join(holding_at(row.sigma, solution.limits), "+"));
+       }});
   for (const StatedLimit& limit : stated_limits(solution.scene)) {
     columns.push_back({"slack_" + limit.name, limit.slack});
   }

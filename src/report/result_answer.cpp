@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "io/effective_input.hpp"
+#include "report/arc_structure.hpp"
 
 namespace brachisto::report {
 
@@ -128,8 +129,8 @@ Field<Solution> rolls_as_field() {
   return field;
 }
 
-/// Of the answer, as are its numbers; no key of a scene without limits.
-Field<Solution> limits_field() {
+/// Where an arc is.
+Fields<ActiveArc> place_fields() {
   const auto interval = [](std::string_view name, std::string_view unit,
                            std::string_view meaning,
                            Interval ActiveArc::*member) {
@@ -137,29 +138,60 @@ Field<Solution> limits_field() {
                              {{"from", unit, "begins", &Interval::from},
                               {"to", unit, "ends", &Interval::to}});
   };
-  using L = LimitOnPath;
-  const Field<Solution> all = list(
-      "limits", "bounds of scene.limits on the path; no key without any",
-      &Solution::limits,
-      {{"name", "", "key below scene.limits", &L::name},
-       {"bound", "", "as the scene states it; null: has none", &L::bound},
-       list("active", "arcs on which it holds as an equation", &L::active,
-            {interval("u", "s", "rolling time", &ActiveArc::u),
-             interval("t", "s", "time", &ActiveArc::t),
-             interval("x", "m", "x of the track", &ActiveArc::x)}),
-       {"least_slack", "", "distance from the bound, in its unit",
-        &L::least_slack},
-       {"share_of_time", "", "of T, on these arcs", &L::share_of_time},
-       {"price", "", "dτ/d(bound): the slope of τ over the bound", &L::price},
-       {"price_at_fixed_contacts", "",
-        "the same with the contacts held: its multiplier",
-        &L::price_at_fixed_contacts}});
+  return {interval("u", "s", "rolling time", &ActiveArc::u),
+          interval("t", "s", "time", &ActiveArc::t),
+          interval("x", "m", "x of the track", &ActiveArc::x)};
+}
+
+/// Of the answer, as are its numbers; no key of a scene without limits.
+Field<Solution> of_limited(const Field<Solution>& all) {
   return {all.text,
           [all](const Solution& s) {
             if (!s.scene.limits.any()) return Json();
             return s.verified() ? all.write(s) : Json::array();
           },
           true};
+}
+
+Field<Solution> limits_field() {
+  using L = LimitOnPath;
+  return of_limited(list(
+      "limits", "bounds of scene.limits on the path; no key without any",
+      &Solution::limits,
+      {{"name", "", "key below scene.limits", &L::name},
+       {"bound", "", "as the scene states it; null: has none", &L::bound},
+       list("active", "arcs on which it holds as an equation", &L::active,
+            place_fields()),
+       {"least_slack", "", "distance from the bound, in its unit",
+        &L::least_slack},
+       {"share_of_time", "", "of T, on these arcs", &L::share_of_time},
+       {"price", "", "dτ/d(bound): the slope of τ over the bound", &L::price},
+       {"price_at_fixed_contacts", "",
+        "the same with the contacts held: its multiplier",
+        &L::price_at_fixed_contacts}}));
+}
+
+Field<Solution> structure_field() {
+  const Fields<PathArc> fields = joined<PathArc>(
+      {{{"holds", "", "names of the limits that hold as equations; none: free",
+         &PathArc::holds}},
+       of_part<PathArc>(
+           [](const PathArc& arc) {
+             return &static_cast<const ActiveArc&>(arc);
+           },
+           place_fields())});
+  return of_limited(
+      {{"structure", "array", "",
+        "the arcs of the path from A to B, free ones too; a place that is "
+        "touched is an arc without length; no key without limits",
+        texts_of(fields)},
+       [fields](const Solution& s) {
+         Json json = Json::array();
+         for (const PathArc& arc : arc_structure(s)) {
+           json.push_back(written(fields, arc));
+         }
+         return json;
+       }});
 }
 
 /// No key unless there is one.
@@ -277,7 +309,7 @@ Fields<ProgramSize> size_fields() {
 Fields<Solution> answer_fields() {
   return joined<Solution>({of_part<Solution>(answer_of, motion_fields()),
                            diagnostics_fields(),
-                           {limits_field(), relaxed_field(),
+                           {limits_field(), structure_field(), relaxed_field(),
                             sensitivities_field(), rolls_as_field()},
                            of_part<Solution>(&Solution::program, size_fields()),
                            {mesh_field()}});

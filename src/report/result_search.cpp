@@ -23,7 +23,9 @@ namespace {
 Field<Solution> branches_field() {
   using B = Branch;
   return list(
-      "branches", "smooth contacts that search: global found, fastest first",
+      "branches",
+      "smooth contacts, or paths under limits, that search: global found, "
+      "fastest first",
       &Solution::branches,
       {{"tau", "", "τ",
         [](const B& b) {
@@ -32,7 +34,9 @@ Field<Solution> branches_field() {
        {"estimated_error", "", "relative", &B::estimated_error},
        {"end_angle", "rad", "β_end", &B::end_angle},
        {"centre_path_length", "m", "S", &B::centre_path_length},
-       {"principal", "", "continues from the cycloid", &B::principal},
+       {"principal", "", "continues from the cycloid; under limits the answer without this "
+        "search",
+        &B::principal},
        {"verified", "", "passed every check", &B::verified},
        {"minimum", "", "a minimum between its fixed ends", &B::minimum},
        {"feasible", "", "without lift-off and folds", &B::feasible},

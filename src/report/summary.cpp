@@ -36,6 +36,11 @@ std::string slope(double radians, double error = 2e-6) {
                      radians < 0.0 ? "up" : "down");
 }
 
+/// What a search finds.
+std::string branch_noun(const Solution& solution) {
+  return solution.scene.limits.any() ? "path" : "smooth contact";
+}
+
 /// The condition at A and B, and where it says what the answer is.
 std::string asked(const Solution& solution) {
   const Scene& scene = solution.scene;
@@ -59,10 +64,11 @@ std::string asked(const Solution& solution) {
   }
   std::string text = "a track from A to B without a kink at either end: ";
   if (solution.options.searches()) {
-    text += fmt::format("the {} of the {} found",
-                        solution.feasible() ? "fastest verified and feasible"
-                                            : "fastest verified",
-                        counted(solution.branches.size(), "smooth contact"));
+    text +=
+        fmt::format("the {} of the {} found",
+                    solution.feasible() ? "fastest verified and feasible"
+                                        : "fastest verified",
+                    counted(solution.branches.size(), branch_noun(solution)));
   } else {
     text += fmt::format("the {}", track_kind(scene));
   }
@@ -309,7 +315,8 @@ void add_branches(std::string& out, const Solution& solution) {
   const double answer = solution.verified()
                             ? solution.motion()->tau()
                             : std::numeric_limits<double>::infinity();
-  std::string_view label = "smooth contacts";
+  const std::string labels = branch_noun(solution) + "s";
+  std::string_view label = labels;
   for (const Branch& branch : solution.branches) {
     add_line(out, label,
              fmt::format(

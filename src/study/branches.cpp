@@ -23,17 +23,26 @@ Branch judge(const PosedScene& scene, const Discretisation& wanted,
              MeshAnswer& answer) {
   const Trajectory trajectory(answer.curve(), scene.scene, scene.units);
   const Certificate checks = certify_answer(answer, trajectory.curve(), wanted);
+  return branch_of(trajectory, answer.estimated_error, checks,
+                   infeasible_because(scene.scene, trajectory.diagnose()));
+}
+
+}  // namespace
+
+Branch branch_of(const Motion& motion, std::optional<double> estimated_error,
+                 const Certificate& checks,
+                 std::vector<std::string> infeasible) {
   Branch branch;
-  branch.tau = trajectory.tau();
+  branch.tau = motion.tau();
   branch.estimated_error =
-      answer.estimated_error.value_or(std::numeric_limits<double>::quiet_NaN());
-  branch.end_angle = trajectory.end_angle();
-  branch.centre_path_length = trajectory.centre_path_length();
+      estimated_error.value_or(std::numeric_limits<double>::quiet_NaN());
+  branch.end_angle = motion.end_angle();
+  branch.centre_path_length = motion.centre_path_length();
   branch.verified = checks.verified();
   const Check* second_order = checks.find("second_order");
   branch.minimum = second_order != nullptr && second_order->passed;
-  branch.remarks = infeasible_because(scene.scene, trajectory.diagnose());
-  branch.feasible = branch.remarks.empty();
+  branch.feasible = infeasible.empty();
+  branch.remarks = std::move(infeasible);
   for (const Check& check : checks.checks) {
     if (check.passed) continue;
     branch.remarks.push_back(
@@ -45,13 +54,15 @@ Branch judge(const PosedScene& scene, const Discretisation& wanted,
   return branch;
 }
 
-/// Two refined solutions that agree to this are one and the same.
 bool same(const Branch& a, const Branch& b) {
-  return std::abs(a.tau / b.tau - 1.0) < 1e-7 &&
-         std::abs(a.end_angle - b.end_angle) < 1e-6;
+  constexpr double kSameTau = 1e-7, kSameAngle = 1e-6;
+  // Next to a minimum a slope errs like the square root of the time.
+  const double err = a.estimated_error + b.estimated_error;
+  const double more = std::isfinite(err) ? err : 0.0;
+  return std::abs(a.tau / b.tau - 1.0) < std::max(kSameTau, more) &&
+         std::abs(a.end_angle - b.end_angle) <
+             std::max(kSameAngle, std::sqrt(more));
 }
-
-}  // namespace
 
 JudgedBranches judge_branches(const PosedScene& scene,
                               const Discretisation& wanted,
@@ -100,18 +111,8 @@ JudgedBranches judge_branches(const PosedScene& scene,
   return out;
 }
 
-JudgedBranch* best_branch(std::vector<JudgedBranch>& branches) {
-  const auto rank = [](const JudgedBranch& judged) {
-    const Branch& branch = judged.branch;
-    return branch.verified ? (branch.feasible ? 2 : 1) : 0;
-  };
-  // The first of the highest rank.
-  const auto best =
-      std::max_element(branches.begin(), branches.end(),
-                       [&](const JudgedBranch& a, const JudgedBranch& b) {
-                         return rank(a) < rank(b);
-                       });
-  return best == branches.end() ? nullptr : &*best;
+int rank(const Branch& branch) {
+  return branch.verified ? (branch.feasible ? 2 : 1) : 0;
 }
 
 }  // namespace brachisto

@@ -6,10 +6,13 @@
 
 #pragma once
 
+#include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "brachisto/run/solve_options.hpp"
+#include "brachisto/study/solution.hpp"
 #include "model/units.hpp"
 #include "refinement/refinement.hpp"
 #include "search/global_search.hpp"
@@ -40,10 +43,29 @@ struct JudgedBranches {
     const std::vector<ContactCandidate>& candidates, bool first_is_principal,
     const MeshOptions& options);
 
-/// The fastest that is verified and feasible; failing that, the fastest that is
-/// verified; failing that, the fastest; null if there is none.
+/// What is told of a path that was found and put to its checks.
 ///
-/// \param branches  fastest first
-[[nodiscard]] JudgedBranch* best_branch(std::vector<JudgedBranch>& branches);
+/// \param infeasible  why the body cannot run on it; empty if it can
+[[nodiscard]] Branch branch_of(const Motion& motion,
+                               std::optional<double> estimated_error,
+                               const Certificate& checks,
+                               std::vector<std::string> infeasible);
+
+/// Whether two refined solutions are one and the same, as far as their errors
+/// tell.
+[[nodiscard]] bool same(const Branch& a, const Branch& b);
+
+/// 2: verified and feasible, 1: verified, 0: neither.
+[[nodiscard]] int rank(const Branch& branch);
+
+/// The fastest of the highest rank; null if there is none.
+///
+/// \param branches  fastest first, each with its `branch`
+template <class Judged>
+[[nodiscard]] Judged* best_branch(std::vector<Judged>& branches) {
+  const auto best = std::ranges::max_element(
+      branches, {}, [](const Judged& judged) { return rank(judged.branch); });
+  return best == branches.end() ? nullptr : &*best;
+}
 
 }  // namespace brachisto

@@ -49,6 +49,14 @@ void record(const ContactSearch& search, Solution& out) {
   out.search_remark = search.remark;
 }
 
+void record(const LimitedSearch& search, Solution& out) {
+  out.effort += search.work;
+  if (!out.search_remark.empty() && !search.remark.empty()) {
+    out.search_remark += "; under limits ";
+  }
+  out.search_remark += search.remark;
+}
+
 void record(const JudgedBranches& judged, Solution& out) {
   add_work(judged.meshes, out);
   for (const JudgedBranch& one : judged.branches) {

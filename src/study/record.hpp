@@ -11,6 +11,7 @@
 #include "extremal/arc_shooting.hpp"
 #include "extremal/shooting.hpp"
 #include "refinement/refinement.hpp"
+#include "search/limited_search.hpp"
 #include "study/answer.hpp"
 #include "study/branches.hpp"
 #include "study/start.hpp"
@@ -23,6 +24,7 @@ void record(const OtherStart& other, Solution& out);
 void record(const ExtremalSolution& extremal, Solution& out);
 void record(const LimitedExtremal& extremal, Solution& out);
 void record(const ContactSearch& search, Solution& out);
+void record(const LimitedSearch& search, Solution& out);
 void record(const JudgedBranches& judged, Solution& out);
 /// The work on meshes, and how the answer was refined.
 void record(const RefinementProtocol& refinement, Solution& out);

@@ -14,17 +14,16 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
-#include <ranges>
 #include <utility>
 #include <vector>
 
-#include "model/loosened_limits.hpp"
-#include "refinement/arc_elements.hpp"
 #include "refinement/turn_meshes.hpp"
 #include "search/descent.hpp"
+#include "search/limited_search.hpp"
 #include "study/answer.hpp"
-#include "study/blocking_limit.hpp"
 #include "study/certification.hpp"
+#include "study/conclude.hpp"
+#include "study/limited_branches.hpp"
 #include "study/limited_shooting.hpp"
 #include "study/record.hpp"
 #include "study/shooting.hpp"
@@ -51,27 +50,14 @@ void solve_by_discrete_system(const PosedProblem& posed,
 void follow_given_path(const PosedProblem& posed, Solution& out);
 void search_contacts(const PosedProblem& posed, const Start& principal,
                      Solution& out);
+void search_under_limits(const PosedProblem& posed, const Start& principal,
+                         Solution& out);
 void refine_elements(const PosedProblem& posed, const Start& start,
                      Solution& out);
 void refine_pieces(const PosedProblem& posed, const Start& start,
                    Solution& out);
 void refine_under_limits(const PosedProblem& posed, const Start& start,
                          Solution& out);
-void conclude(const PosedProblem& posed, MeshAnswer& found, Solution& out,
-              std::optional<double> transit_time = std::nullopt);
-void conclude(const PosedProblem& posed, ArcLengthAnswer& found,
-              const Start& start, Solution& out);
-void conclude(const PosedProblem& posed, const LimitedAnswer& found,
-              const std::string& message, Solution& out,
-              std::optional<double> transit_time = std::nullopt);
-void conclude(const PosedProblem& posed, const LimitedRefinement& refinement,
-              Solution& out);
-/// The answer under looser limits, if it is verified.
-void record_loosened(const PosedProblem& posed,
-                     const LimitedRefinement& refinement, Solution& out);
-/// With the limit that was not kept.
-void record_limited(const PosedProblem& posed,
-                    const LimitedRefinement& refinement, Solution& out);
 
 }  // namespace
 
@@ -152,8 +138,10 @@ void solve_program(const PosedProblem& posed, const Start& start,
   record(start, out);
   if (posed.stop().met()) return;
   // What a search looks through is measured by some path.
-  if (posed.searches() && (posed.cycloid || start.curve))
-    return search_contacts(posed, start, out);
+  if (posed.searches() && (posed.cycloid || start.curve)) {
+    return posed.limited ? search_under_limits(posed, start, out)
+                         : search_contacts(posed, start, out);
+  }
   if (!start.curve) return;
   if (posed.limited) return refine_under_limits(posed, start, out);
   if (posed.program.guess != Guess::Cycloid && posed.cycloid) {
@@ -258,18 +246,16 @@ void follow_given_path(const PosedProblem& posed, Solution& out) {
 
 // ---- From a start to an answer.
 
-/// All smooth contacts that can be found; the fastest of them is the answer. A
-/// search starts from what is cheap to know: the principal extremal, and where
-/// it is a saddle, the minima beside it.
-void search_contacts(const PosedProblem& posed, const Start& principal,
-                     Solution& out) {
+/// All smooth contacts of the free motion that a search finds, those that are
+/// known from the start first. It starts from what is cheap to know: the
+/// principal extremal, and where it is a saddle, the minima beside it.
+ContactSearch free_contacts(const PosedProblem& posed, const Start& principal,
+                            const MeshOptions& each, Solution& out) {
   // As a multiple of the path of the uniform cylinder, or what is in its place.
   constexpr double kLongest = 3.0;
   const double uniform = posed.cycloid
                              ? posed.cycloid->arc_length(posed.cycloid->psi_end)
                              : principal.curve->arc_length();
-  // Each of the extremals may take what the limit allows.
-  const MeshOptions each = posed.mesh_options_after(out.effort);
   std::vector<ContactCandidate> known;
   if (principal.curve) {
     known.push_back({*principal.curve, principal.phi});
@@ -278,11 +264,20 @@ void search_contacts(const PosedProblem& posed, const Start& principal,
     std::move(descent.minima.begin(), descent.minima.end(),
               std::back_inserter(known));
   }
-  const ContactSearch search = find_contacts(
+  ContactSearch search = find_contacts(
       posed.natural, kLongest * uniform,
       [&](double length) { return sampled_mesh(posed.natural.body, length); },
       std::move(known), posed.stop(), posed.progress());
   record(search, out);
+  return search;
+}
+
+/// The fastest of all smooth contacts that can be found is the answer.
+void search_contacts(const PosedProblem& posed, const Start& principal,
+                     Solution& out) {
+  // Each of the extremals may take what the limit allows.
+  const MeshOptions each = posed.mesh_options_after(out.effort);
+  const ContactSearch search = free_contacts(posed, principal, each, out);
   JudgedBranches judged =
       judge_branches(posed, posed.program.discretisation, search.contacts,
                      principal.curve && !principal.continued_from_L, each);
@@ -300,6 +295,22 @@ void search_contacts(const PosedProblem& posed, const Start& principal,
   }
   record_way(best->refinement, out);
   conclude(posed, *best->refinement.answer, out);
+}
+
+/// Under limits: the answer without a search, which is the principal one, and
+/// others from many starts; the fastest is the answer. Where the first one
+/// stands its own outcome is told.
+void search_under_limits(const PosedProblem& posed, const Start& principal,
+                         Solution& out) {
+  if (principal.curve) refine_under_limits(posed, principal, out);
+  if (posed.stop().met() || out.status == Status::NoFastestTrack) return;
+  const MeshOptions each = posed.mesh_options_after({});
+  const ContactSearch free = free_contacts(posed, principal, each, out);
+  if (free.contacts.empty()) return;
+  const LimitedSearch search =
+      find_limited_paths(*posed.limited, free.contacts, each);
+  record(search, out);
+  judge_limited_paths(posed, search.paths, out);
 }
 
 /// Refines until T is as accurate as wanted and, where the path bends sharply,
@@ -337,112 +348,12 @@ void refine_pieces(const PosedProblem& posed, const Start& start,
   conclude(posed, *refinement.answer, start, out);
 }
 
-/// Under limits, on halved elements where T is accurate and the path not yet.
 void refine_under_limits(const PosedProblem& posed, const Start& start,
                          Solution& out) {
-  constexpr int kRounds = 3;
-  const Discretisation& wanted = posed.program.discretisation;
-  LimitedRefinement found =
-      refine_limited(*posed.limited, wanted, *start.curve, start.phi,
-                     posed.mesh_options_after(out.effort));
-  conclude(posed, found, out);
-  for (int round = 1; round < kRounds; ++round) {
-    if (!found.answer || found.answer->path.arcs.empty() || wanted.fixed() ||
-        posed.stop().met() || !under_resolved(out.certificate)) {
-      return;
-    }
-    FittedPath path = found.answer->path;
-    path.arcs = halved(std::move(path.arcs));
-    auto finer = refine_limited_beside(*posed.limited, wanted, path,
-                                       posed.mesh_options_after(out.effort));
-    if (finer && !finer->answer) record_work(*finer, out);
-    if (!finer || !finer->answer) return;
-    found = *std::move(finer);
-    conclude(posed, found, out);
-  }
-}
-
-// ---- Answer, certify, verdict.
-
-void conclude(const PosedProblem& posed, MeshAnswer& found, Solution& out,
-              std::optional<double> transit_time) {
-  record(answer_of(posed, found, transit_time), out);
-  {
-    const CertificateTimer timer(out.effort);
-    const auto& answer = std::get<CollocationAnswer>(*out.answer);
-    record(certify(posed, found, answer.trajectory.curve()), out);
-  }
-  record(verdict(out, found.solution.message), out);
-}
-
-void conclude(const PosedProblem& posed, ArcLengthAnswer& found,
-              const Start& start, Solution& out) {
-  record(answer_of(posed, found), out);
-  {
-    const CertificateTimer timer(out.effort);
-    const auto& motion = std::get<PiecewiseAnswer>(*out.answer).motion;
-    record(certify(posed, found, motion, *start.curve, start.phi), out);
-  }
-  // Of a motion that stalls the certificate says so.
-  if (!out.diagnostics) out.answer.reset();
-  record(verdict(out, found.solution.message), out);
-}
-
-void record_limited(const PosedProblem& posed,
-                    const LimitedRefinement& refinement, Solution& out) {
-  record(refinement, out);
-  if (refinement.blocking) {
-    out.message += in_words(posed, *refinement.blocking);
-  } else if (!refinement.answer && (out.status == Status::NotConverged ||
-                                    out.status == Status::NoAdmissiblePath)) {
-    const std::string looser = looser_limits(posed.asked);
-    if (!looser.empty()) out.message += ". To try: " + looser;
-  }
-}
-
-void conclude(const PosedProblem& posed, const LimitedRefinement& refinement,
-              Solution& out) {
-  record_limited(posed, refinement, out);
-  record_loosened(posed, refinement, out);
-  if (!refinement.answer || posed.stop().met()) return;
-  conclude(posed, *refinement.answer, refinement.message, out);
-}
-
-void record_loosened(const PosedProblem& posed,
-                     const LimitedRefinement& refinement, Solution& out) {
-  // Where limits can hardly be kept a path may be found and its digits not.
-  constexpr int kMostPaths = 6;
-  for (const LoosenedPath& nearby : refinement.loosened | std::views::reverse |
-                                        std::views::take(kMostPaths)) {
-    for (const double more : {0.0, 0.001, 0.005, 0.02}) {
-      if (posed.stop().met()) return;
-      const double by = nearby.by + more;
-      if (by == 0.0) continue;  // not verified as asked
-      const PosedProblem problem = with_scene(posed, loosened(posed.asked, by));
-      auto solution = std::make_shared<const Solution>(
-          within_limits(problem, [&](Solution& found) {
-            const auto beside = refine_limited_beside(
-                *problem.limited, problem.program.discretisation, nearby.path,
-                problem.mesh_options_after(found.effort));
-            if (beside) conclude(problem, *beside, found);
-          }));
-      out.effort += solution->effort;
-      if (!solution->verified()) continue;
-      out.relaxed = std::move(solution);
-      return;
-    }
-  }
-}
-
-void conclude(const PosedProblem& posed, const LimitedAnswer& found,
-              const std::string& message, Solution& out,
-              std::optional<double> transit_time) {
-  record(answer_of(posed, found, transit_time), out);
-  {
-    const CertificateTimer timer(out.effort);
-    record(certify(posed, found), out);
-  }
-  record(verdict(out, message), out);
+  const LimitedRefinement found =
+      refine_limited(*posed.limited, posed.program.discretisation, *start.curve,
+                     start.phi, posed.mesh_options_after(out.effort));
+  conclude_resolved(posed, found, out);
 }
 
 }  // namespace

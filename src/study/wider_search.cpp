@@ -7,7 +7,7 @@ namespace brachisto {
 
 std::string wider_search(const Scene& scene, const SolveOptions& options) {
   if (options.searches() || scene.contact != Contact::Smooth ||
-      scene.limits.any() || !scene.world.ordinary() || scene.path) {
+      !scene.world.ordinary() || scene.path) {
     return {};
   }
   const std::string search = "search: global";

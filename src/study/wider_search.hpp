@@ -15,7 +15,7 @@ namespace brachisto {
 
 /// What to ask for where the principal extremal is no answer: "search: global",
 /// with the key that has to change for it to be allowed; empty if that search
-/// was made, or there is none, as with Contact::Centre, under limits, in other
+/// was made, or there is none, as with contacts that are not smooth, in other
 /// worlds, or along a given path.
 [[nodiscard]] std::string wider_search(const Scene& scene,
                                        const SolveOptions& options);

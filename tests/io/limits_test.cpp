@@ -257,8 +257,6 @@ TEST(Limits, AreRefusedByWhatKnowsTheFreeMotionAlone) {
            {"solver: {method: fsolve}\n", "p.yaml:%:18: solver.method",
             "fsolve",
             "the paper's discrete system consists of equations alone"},
-           {"solver: {search: global}\n", "p.yaml:%:18: solver.search",
-            "global", "the search is for smooth contacts of the free motion"},
            {"solver: {guess: straight}\n", "p.yaml:%:17: solver.guess",
             "straight", starts},
            {"solver: {guess: random}\n", "p.yaml:%:17: solver.guess", "random",
@@ -279,9 +277,13 @@ TEST(Limits, AreRefusedByWhatKnowsTheFreeMotionAlone) {
         "");
   }
   EXPECT_EQ(errors("scene: {body: {shape: bead}, finish: {L: 3, H: 1}, "
-                   "contact: optimal}\nsolver: {search: global}\n"),
-            "p.yaml:2:18: solver.search: global is not allowed with contact: "
-            "optimal: the search is for smooth contacts of the free motion");
+                   "contact: optimal}\nsolver: {guess: straight}\n"),
+            "p.yaml:2:17: solver.guess: straight is not allowed with contact: "
+            "optimal: " +
+                starts);
+  for (const std::string& scene : {limits, optimal}) {
+    EXPECT_EQ(errors(scene_with(scene) + "solver: {search: global}\n"), "");
+  }
 }
 
 TEST(Limits, AreNotForGivenPaths) {

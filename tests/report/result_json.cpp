@@ -8,6 +8,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "report/solutions.hpp"
@@ -252,6 +253,34 @@ TEST(ResultJson, TellsWhatLimitsMeanForThePath) {
   EXPECT_TRUE(limits[2]["bound"].is_null());
   EXPECT_EQ(limits[2]["active"], json::array());
   EXPECT_EQ(document["constraints"], solution.program()->constraints);
+}
+
+TEST(ResultJson, TellsTheArcsFromAToBInTheirOrder) {
+  const Solution& solution = limited_solution();
+
+  const json structure = json::parse(result_json(solution))["structure"];
+
+  const std::vector<std::pair<double, json>> begins{
+      {0.0, json::array()},
+      {0.125, {"friction"}},
+      {0.25, json::array()},
+      {0.5, {"friction"}},
+      {0.6875, {"friction", "normal_force.max"}},
+      {0.75, {"normal_force.max"}},
+      {0.8125, json::array()}};
+  ASSERT_EQ(structure.size(), begins.size());
+  for (std::size_t i = 0; i < begins.size(); ++i) {
+    const auto& [sigma, holds] = begins[i];
+    const TrajectoryPoint begin = solution.motion()->at(sigma);
+    const TrajectoryPoint end = solution.motion()->at(
+        i + 1 < begins.size() ? begins[i + 1].first : 1.0);
+    EXPECT_EQ(structure[i]["holds"], holds) << i;
+    EXPECT_EQ(structure[i]["t"]["from"], begin.t) << i;
+    EXPECT_EQ(structure[i]["t"]["to"], end.t) << i;
+  }
+  EXPECT_EQ(structure.back()["x"]["to"], solution.scene.L);
+  EXPECT_FALSE(
+      json::parse(result_json(uniform_solution())).contains("structure"));
 }
 
 TEST(ResultJson, TellsHowTheTimeChangesIfItIsAsked) {

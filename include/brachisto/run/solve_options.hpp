@@ -113,7 +113,7 @@ struct Discretisation {
 /// Which of several extremals is the answer.
 enum class Search {
   Principal,  ///< the one that continues from the cycloid as η_m grows from 0
-  Global,     ///< the fastest verified and feasible contact found
+  Global,     ///< the fastest verified and feasible one found
 };
 
 /// Where the first iteration starts.
@@ -290,13 +290,13 @@ struct ColdStart {
   bool principal = false;     ///< it led to the principal branch
 };
 
-/// One smooth contact that Search::Global found.
+/// One smooth contact, or path under limits, that Search::Global found.
 struct Branch {
   double tau = 0.0;
   double estimated_error = 0.0;     ///< relative
   double end_angle = 0.0;           ///< [rad]
   double centre_path_length = 0.0;  ///< [m]
-  bool principal = false;
+  bool principal = false;  ///< what Search::Principal leads to
   bool verified = false;
   bool minimum = false;  ///< second-order sufficiency at fixed φ
   bool feasible = false;

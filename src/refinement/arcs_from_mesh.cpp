@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "refinement/arcs_from_mesh.hpp"
+
+#include <utility>
+
+#include "refinement/arcs.hpp"
+
+namespace brachisto {
+
+std::optional<FittedPath> arcs_from(const LimitedCurve& mesh, int degree,
+                                    ArcSearch& search, PassProtocol& protocol,
+                                    const StopCondition& stop) {
+  const std::vector<Arc> arcs = arcs_of(mesh);
+  if (kinks_at_rest(mesh, arcs)) {
+    protocol.fail(Status::NoFastestTrack,
+                  "there is no fastest track under these limits: the more "
+                  "sharply it turns upwards right behind A, where a normal "
+                  "force bounds no turn, the faster it is; try "
+                  "limits.curvature.valley");
+    return std::nullopt;
+  }
+  const ArcsFromA from_A = with_corner(mesh.problem(), arcs);
+  LimitedEnds ends = mesh.problem().ends();
+  ends.corner = from_A.corner;
+  for (const bool graded : {false, true}) {
+    auto path = search.fit_corrected(
+        mesh, {mesh.problem().limits(), from_A.arcs, ends}, degree, graded);
+    if (path || stop.met()) return path;
+  }
+  return std::nullopt;
+}
+
+std::optional<LimitedAnswer> refined(FittedPath path,
+                                     const Discretisation& wanted,
+                                     ArcSearch& search,
+                                     PassProtocol& protocol) {
+  const std::vector<PathInequality> limits = path.curve.problem().limits();
+  const int p = wanted.degree.value_or(wanted.fixed() ? wanted.degree_of_fixed()
+                                                      : kArcDegree);
+  std::optional<FittedPath> start;
+  if (wanted.fixed()) {
+    start = on_fixed_mesh(path, p, limits, wanted, search);
+  } else if (p != kArcDegree) {
+    start = search.fit(path.curve, {limits, path.arcs, path.ends}, p).path;
+  } else {
+    start = std::move(path);
+  }
+  if (!start) return std::nullopt;
+  return refine_arcs(std::move(start), p, limits, wanted, search, protocol);
+}
+
+LimitedAnswer answer_without_arcs(const PathWithoutArcs& found,
+                                  PassProtocol& protocol) {
+  protocol.status = Status::Solved;
+  protocol.message =
+      "solved under limits on a mesh that knows no arcs; where limits begin "
+      "and cease to hold was not found";
+  return {found.path, found.estimated_error};
+}
+
+LimitedRefinement refine_from_mesh(const LimitedCurve& mesh,
+                                   const Discretisation& wanted,
+                                   const MeshOptions& options) {
+  const StopCondition& stop = options.ipopt.stop;
+  PassProtocol protocol(options.progress);
+  ArcSearch search(protocol, options);
+  std::optional<LimitedAnswer> answer;
+  std::optional<PathWithoutArcs> without;
+  auto path = arcs_from(mesh, kArcDegree, search, protocol, stop);
+  if (!path && !wanted.fixed() && !stop.met() &&
+      protocol.status != Status::NoFastestTrack) {
+    without = solve_without_arcs(
+        mesh, wanted.tolerance.value_or(kToleranceWithoutArcs), options.ipopt,
+        protocol);
+    if (without && !stop.met()) {
+      path = arcs_from(without->path.curve, kArcDegree, search, protocol, stop);
+    }
+  }
+  if (path) answer = refined(*std::move(path), wanted, search, protocol);
+  if (!answer && without) answer = answer_without_arcs(*without, protocol);
+  return {std::move(protocol).finished(), std::move(answer), {}, {}};
+}
+
+}  // namespace brachisto

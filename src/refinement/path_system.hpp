@@ -25,7 +25,7 @@ struct PathSetting {
   std::vector<Arc> arcs;
   LimitedEnds ends;
   /// Another one than the system's, with which the point's θ turns as θ_m does:
-  /// only for to() and lagrangian().
+  /// only for to() and of_fixed().
   std::optional<Scene> scene = {};
 };
 
@@ -72,9 +72,8 @@ class PathSystem {
   [[nodiscard]] const Eigen::VectorXd& open() const { return open_; }
 
   /// Of the optimality conditions, for all that follows, at points nearby too.
-  /// False if they are
-  /// singular. If it takes that, another one is released for good, by which
-  /// open() grows.
+  /// False if they are singular. If it takes that, another one is released for
+  /// good, by which open() grows.
   [[nodiscard]] bool linearise();
 
   /// Newton's step of the optimality conditions, everything else fixed.
@@ -105,6 +104,7 @@ class PathSystem {
   /// A point, θ turned as in the scene of a setting.
   [[nodiscard]] PrimalDual turned(PrimalDual point,
                                   const PathSetting& changed) const;
+  /// The same point where the setting is another.
   struct Elsewhere {
     std::vector<double> residual;
     double lagrangian;

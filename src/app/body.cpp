@@ -15,8 +15,8 @@
 #include "app/verbs.hpp"
 #include "brachisto/model/body.hpp"
 #include "brachisto/report/result.hpp"
-#include "io/expression.hpp"
 #include "io/body_parts.hpp"
+#include "io/expression.hpp"
 #include "io/visible_text.hpp"
 #include "math/angle.hpp"
 

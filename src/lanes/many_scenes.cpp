@@ -51,8 +51,7 @@ bool aim(const Scene& natural, const Fineness& fineness, Target& out) {
   }
   const int more = natural.world.ordinary() ? 0 : fineness.into_world;
   for (int i = 1; i <= more; ++i) {
-    *next++ = milestone(part_of_world(
-        natural, static_cast<double>(i) / more));
+    *next++ = milestone(part_of_world(natural, static_cast<double>(i) / more));
   }
   return true;
 }

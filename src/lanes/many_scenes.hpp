@@ -4,9 +4,9 @@
 /// \file
 /// Many free scenes at once: indirect shooting with eight scenes side by side.
 ///
-/// Each scene is continued from its own cycloid, η = 0, to its η_m and then into
-/// its air, as one alone is, and looks at no other: its digits do not depend on which scenes
-/// stand beside it, nor on the processor.
+/// Each scene is continued from its own cycloid, η = 0, to its η_m and then
+/// into its air, as one alone is, and looks at no other: its digits do not
+/// depend on which scenes stand beside it, nor on the processor.
 
 #pragma once
 
@@ -81,10 +81,10 @@ enum class Instructions { Baseline, Avx2, Avx512 };
 
 /// How finely scenes are followed.
 struct Fineness {
-  int offsets;     ///< from the cycloid to η_m in so many equal steps
-  int on_the_way;  ///< steps of the integration there
-  int places;      ///< steps of the path that is kept, at the end
-  int within;      ///< and of the integration for each of them
+  int offsets;         ///< from the cycloid to η_m in so many equal steps
+  int on_the_way;      ///< steps of the integration there
+  int places;          ///< steps of the path that is kept, at the end
+  int within;          ///< and of the integration for each of them
   int into_world = 0;  ///< and then into the air, if there is any
 };
 /// Enough for three scenes of four, and for most of the others.

@@ -127,9 +127,7 @@ class BrakedNeighbours {
       p_theta_[j] = held(kPTheta, p_theta_along_);
     }
   }
-  [[nodiscard]] Number determinant() const {
-    return dot(x_, cross(z_, lost_));
-  }
+  [[nodiscard]] Number determinant() const { return dot(x_, cross(z_, lost_)); }
   [[nodiscard]] Number share() const {
     Number size(1.0);
     for (std::size_t j = 0; j < 3; ++j) {

@@ -130,9 +130,8 @@ void look_along(const Scene& scene, const lanes::Extremal& extremal,
         std::abs(brachisto::hamiltonian(scene, state, p, at.beta)) / at.root,
         sigma);
     gain.see(gain_of_other_directions(scene, state, p, at.beta), sigma);
-    const double height =
-        energy_height(scene.body, at.z - start.z, at.theta) -
-        lost[static_cast<std::size_t>(i)] / scene.gravity;
+    const double height = energy_height(scene.body, at.z - start.z, at.theta) -
+                          lost[static_cast<std::size_t>(i)] / scene.gravity;
     drift.see(std::abs(at.w * at.w / (2.0 * scene.gravity) - height), sigma);
     slope.see(std::abs(at.beta), sigma);
     if (i > 0 && !(at.w > 0.0)) ++at_rest;
@@ -190,11 +189,10 @@ Certificate certify(const LaneMotion& motion) {
   for (int e = 0; e < extremal.places; ++e) {
     for (std::size_t i = 0; i < rule.points.size(); ++i) {
       const PathState at = motion.place(e, rule.points[i]).state;
-      const double E =
-          energy_height(body, at.centre.z - start.z, at.theta) -
-          (lost[static_cast<std::size_t>(e)] +
-           motion.lost_within(e, rule.points[i])) /
-              scene.gravity;
+      const double E = energy_height(body, at.centre.z - start.z, at.theta) -
+                       (lost[static_cast<std::size_t>(e)] +
+                        motion.lost_within(e, rule.points[i])) /
+                           scene.gravity;
       const double w = fall_speed(scene.gravity, E);
       const double du = rule.weights[i] * motion.step_;
       x += du * w * std::cos(at.beta);

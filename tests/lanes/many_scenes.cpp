@@ -81,7 +81,8 @@ TEST_P(ManyScenesTried, HaveTheTimesOfTheIndirectMethodOfOne) {
 INSTANTIATE_TEST_SUITE_P(Finenesses, ManyScenesTried,
                          testing::Values(Attempt{"Plain", kPlain, false, 16},
                                          Attempt{"Fine", kFine, false, 19},
-                                         Attempt{"PlainInAir", kPlain, true, 16},
+                                         Attempt{"PlainInAir", kPlain, true,
+                                                 16},
                                          Attempt{"FineInAir", kFine, true, 19}),
                          [](const auto& one) { return one.param.name; });
 

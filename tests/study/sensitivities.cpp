@@ -597,8 +597,7 @@ TEST(Sensitivities, OfLanesAreThoseOfTheirOwnSolves) {
 
     ASSERT_TRUE(lanes && own);
     for (std::size_t i = 0; i < kAll.size(); ++i) {
-      EXPECT_NEAR(lanes->by[i], own->by[i], kSteps)
-          << i << " at eta " << eta_m;
+      EXPECT_NEAR(lanes->by[i], own->by[i], kSteps) << i << " at eta " << eta_m;
     }
     const auto all = sensitivities(*in_lanes);
     const auto all_own = sensitivities(exact);

@@ -85,10 +85,10 @@ TurningPoint<double> RoughPath::at(double sigma) const {
           mean(&At::w), mean(&At::beta), mean(&At::q)};
 }
 
-std::vector<RoughPath> detours(const Scene& scene, const ExtremalCurve& free,
-                               const std::vector<PathInequality>& limits) {
+std::vector<RoughPath> other_ways(const Scene& scene, const ExtremalCurve& free,
+                                  const std::vector<PathInequality>& limits) {
   constexpr int kPlaces = 400;
-  constexpr double kNear = 2.0, kRoom = 1.05;
+  constexpr double kNear = 2.0, kRoom = 1.05, kSag = 0.25;
   std::vector<Point> centre;
   std::vector<double> length{0.0};
   for (int i = 0; i <= kPlaces; ++i) {
@@ -101,6 +101,11 @@ std::vector<RoughPath> detours(const Scene& scene, const ExtremalCurve& free,
     centre.push_back({at.x, at.z});
   }
   std::vector<RoughPath> out;
+  const auto add = [&](const std::vector<Point>& way) {
+    if (auto path = rolled(scene, way, turning_point(free, 0.0))) {
+      out.push_back(*std::move(path));
+    }
+  };
   for (const PathInequality& limit : limits) {
     if (limit.kind != PathInequality::Kind::Disc) continue;
     std::size_t nearest = 0;
@@ -138,9 +143,17 @@ std::vector<RoughPath> detours(const Scene& scene, const ExtremalCurve& free,
       bent[i].x += bump * normal.x;
       bent[i].z += bump * normal.z;
     }
-    if (auto path = rolled(scene, bent, turning_point(free, 0.0))) {
-      out.push_back(*std::move(path));
+    add(bent);
+  }
+  const Point from = centre.front(), to = centre.back();
+  for (const double sag : {0.0, kSag * distance(from, to)}) {
+    std::vector<Point> bow;
+    for (int i = 0; i <= kPlaces; ++i) {
+      const double t = std::pow(static_cast<double>(i) / kPlaces, 2);
+      bow.push_back({from.x + t * (to.x - from.x),
+                     from.z + t * (to.z - from.z) + 4.0 * sag * t * (1.0 - t)});
     }
+    add(bow);
   }
   return out;
 }

@@ -8,9 +8,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <utility>
 
 #include "brachisto/math/index.hpp"
+#include "model/contact.hpp"
 #include "model/passage.hpp"
 #include "nlp/elastic.hpp"
 #include "refinement/open_conditions.hpp"
@@ -20,6 +22,8 @@
 namespace brachisto {
 
 namespace {
+
+constexpr double kSteepest = 1.4;  ///< slope at B where a contact is looked for
 
 bool winds(const LimitedCurve& curve) {
   constexpr double kTooSteep = 0.999 * std::numbers::pi;
@@ -179,6 +183,12 @@ std::optional<LimitedEnds> Tightening::next_ends(const Inequalities& limits) {
   return with_start(ends, scene_, limits, last_ && last_->holds_control(0));
 }
 
+bool Tightening::is_shut() {
+  if (way_is_open(scene_, limits_)) return false;
+  protocol_.fail(Status::NoAdmissiblePath, std::string(kNoWay));
+  return true;
+}
+
 bool Tightening::none_at_rest() {
   return protocol_.fail(Status::NoAdmissiblePath,
                         "no admissible path: at rest no direction keeps the "
@@ -231,7 +241,9 @@ bool Tightening::tighten() {
     found.start = last_->start_slope();
     const auto ends =
         with_start(found, scene_, limits_, last_->holds_control(0));
-    if (!ends || !keep_limits(*ends)) {
+    const bool overhangs = std::abs(found.phi) > 0.5 * std::numbers::pi;
+    if (!ends || ((overhangs || !keep_limits(*ends)) &&
+                  !keep_limits_elsewhere(*first))) {
       give_way_for_good_ = false;  // with these slopes; there are others
       return none_found();
     }
@@ -252,10 +264,21 @@ bool Tightening::tighten_from(const LimitedCurve& nearby) {
   return tighten();
 }
 
-bool Tightening::tighten_from(RoughPath path) {
-  last_.reset();
-  rough_ = std::move(path);
-  return tighten();
+bool Tightening::tighten_elsewhere() {
+  if (!other_ways_) {
+    other_ways_ = other_ways(scene_, free_, limits_);
+    std::ranges::reverse(*other_ways_);
+  }
+  // What is left serves limits that ask for less.
+  while (!other_ways_->empty() && 2 * budget_ > ipopt_.max_iterations &&
+         !ipopt_.stop.met()) {
+    last_.reset();
+    rough_ = std::move(other_ways_->back());
+    other_ways_->pop_back();
+    end_held_ = false;
+    if (tighten()) return true;
+  }
+  return false;
 }
 
 bool Tightening::solve_loosest() {
@@ -275,8 +298,35 @@ bool Tightening::solve_finer() {
   return true;
 }
 
+bool Tightening::end_is_open(double phi) const {
+  const Point end = end_of_centre(scene_, phi);
+  return std::ranges::all_of(limits_, [&](const PathInequality& limit) {
+    return limit.bounds_control() ||
+           value_of(limit, ContactForce<double>{},
+                    TurningPoint<double>{end.x, end.z, 0.0, 0.0, phi, 0.0}) >=
+               limit.lower;
+  });
+}
+
+bool Tightening::keep_limits_elsewhere(const LimitedEnds& ends) {
+  constexpr double kStep = 0.3;
+  if (!end_is_sought(scene_) || end_is_open(ends.phi)) return false;
+  if (!blocking_ && !tight_) blocking_ = tightest();
+  last_.reset();
+  for (double off = kStep; off < 2.0 * kSteepest; off += kStep) {
+    for (const double phi : {ends.phi + off, ends.phi - off}) {
+      if (std::abs(phi) > kSteepest || !end_is_open(phi)) continue;
+      if (ipopt_.stop.met() || budget_ == 0) return false;
+      LimitedEnds held = ends;
+      held.phi = phi;
+      if (keep_limits(held)) return true;
+    }
+  }
+  return false;
+}
+
 bool Tightening::bracket_contact() {
-  constexpr double kStep = 0.1, kSteepest = 1.4;
+  constexpr double kStep = 0.1;
   end_held_ = true;
   last_ = tight_;
   const LimitedCurve first = *last_;
@@ -285,16 +335,20 @@ bool Tightening::bracket_contact() {
   double lowest = begin.phi, highest = begin.phi;
   for (const double direction : {1.0, -1.0}) {
     last_ = first;
-    Held before = begin;
+    std::optional<Held> before = begin;
     for (double phi = begin.phi + direction * kStep; std::abs(phi) < kSteepest;
          phi += direction * kStep) {
+      if (!end_is_open(phi)) {
+        before.reset();
+        continue;
+      }
       if (!solve_held(phi)) break;
       const Held here = held();
       least = std::min(least, std::abs(here.open));
       lowest = std::min(lowest, phi);
       highest = std::max(highest, phi);
-      if ((here.open < 0.0) != (before.open < 0.0)) {
-        return close_in(before, here);
+      if (before && (here.open < 0.0) != (before->open < 0.0)) {
+        return close_in(*before, here);
       }
       before = here;
     }
@@ -342,12 +396,6 @@ bool Tightening::close_in(Held a, Held b) {
 
 bool Tightening::none_found() {
   if (!blocking_ && !tight_) blocking_ = tightest();
-  if (!way_is_open(scene_, limits_)) {
-    return protocol_.fail(
-        Status::NoAdmissiblePath,
-        "no path leads from the start to B: what is in the way "
-        "leaves the body no room to pass");
-  }
   std::string text = give_way_for_good_
                          ? "the limits give way at any price where the "
                            "solver ended"

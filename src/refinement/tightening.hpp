@@ -42,6 +42,10 @@ class Tightening {
   Tightening(const Scene& scene, const ExtremalCurve& free, double phi,
              const IpoptOptions& ipopt, PassProtocol& protocol);
 
+  /// Whether what is in the way leaves no way at all; then the protocol says
+  /// so.
+  bool is_shut();
+
   /// To the limits of the scene, with the slopes of the free extremal if these
   /// let it keep them, else with others that do; the contact follows. If they
   /// give way as much at ten times the price, and free slopes do not help where
@@ -51,13 +55,17 @@ class Tightening {
   /// The same from another path than the free extremal: a solution of the same
   /// limits, perhaps with other bounds, or what only looks like a motion.
   [[nodiscard]] bool tighten_from(const LimitedCurve& nearby);
-  [[nodiscard]] bool tighten_from(RoughPath path);
+
+  /// The same from the next of other_ways() that leads to the limits of the
+  /// scene. False if none of those that are left does, or half of the
+  /// iterations are used up.
+  [[nodiscard]] bool tighten_elsewhere();
 
   /// Where the contact at B cannot be followed: under the limits of the scene
   /// with the slope that C_B is built from held at one place after the other,
-  /// until the slope at the end less that one changes its sign between two,
-  /// whose root is closed in on. Where it does so nowhere, or jumps, there is
-  /// no smooth contact.
+  /// but where C_B itself is in the way, until the slope at the end less that
+  /// one changes its sign between two, whose root is closed in on. Where it
+  /// does so nowhere, or jumps, there is no smooth contact.
   ///
   /// \pre tighten() succeeded
   [[nodiscard]] bool bracket_contact();
@@ -121,6 +129,11 @@ class Tightening {
     double phi, open;
   };
   bool none_at_rest();
+  /// Whether C_B(φ) keeps the limits of the place.
+  [[nodiscard]] bool end_is_open(double phi) const;
+  /// From where it starts, with the slope at B held at other values than one
+  /// with which C_B is in the way.
+  bool keep_limits_elsewhere(const LimitedEnds& ends);
   bool solve_held(double phi);
   [[nodiscard]] Held held();
   /// By bisection, for slopes may jump where arcs are born.
@@ -131,7 +144,8 @@ class Tightening {
 
   const Scene& scene_;
   const ExtremalCurve& free_;
-  std::optional<RoughPath> rough_;  ///< to start from instead
+  std::optional<RoughPath> rough_;                    ///< to start from instead
+  std::optional<std::vector<RoughPath>> other_ways_;  ///< that are left
   LimitRelaxation relaxation_;
   Inequalities limits_;  ///< of the scene
   Mesh mesh_;

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "brachisto/math/index.hpp"
 #include "model/start_under_limits.hpp"
@@ -29,68 +31,106 @@ std::optional<Point> known_start(const Scene& scene,
   return Point{at.x, at.z};
 }
 
+/// States of a path: the square that its centre is in, and how far it has come
+/// round, in steps of its length no longer than a side. Within one of them it
+/// comes to a neighbour at most.
 class Squares {
  public:
-  Squares(const Scene& scene, const std::vector<PathInequality>& limits)
+  /// \param turning  whether its energy depends on how far the body has turned;
+  ///                 else it has the most that any θ gives it
+  Squares(const Scene& scene, const std::vector<PathInequality>& limits,
+          bool turning)
       : scene_(scene),
-        limits_(limits),
         start_(known_start(scene, limits)),
         side_(3.0 * (std::max(scene.L, scene.H) + contact_radius(scene)) /
               kAcross),
         left_(0.5 * (scene.L - kAcross * side_)),
-        top_(0.5 * (scene.H - kAcross * side_)) {}
+        top_(0.5 * (scene.H - kAcross * side_)),
+        floor_(floor_of(limits)) {
+    for (int k = 0; k < kAcross; ++k) {
+      for (int i = 0; i < kAcross; ++i) {
+        obstructed_.push_back(is_obstructed(limits, centre(i, k)));
+      }
+    }
+    const double turn = 2.0 * std::numbers::pi * contact_radius(scene);
+    const int steps =
+        turning ? std::max(1, static_cast<int>(std::ceil(turn / side_))) : 1;
+    for (int step = 0; step < steps; ++step) {
+      highest_.push_back(highest_in(step, steps));
+    }
+  }
 
   [[nodiscard]] bool joins() {
     const double r = contact_radius(scene_);
-    seen_.assign(at(kAcross) * at(kAcross), false);
-    std::vector<int> next;
-    const auto reach = [&](int i, int k) {
-      const int square = i + kAcross * k;
-      if (seen_[at(square)] || !is_open(i, k)) return;
-      seen_[at(square)] = true;
-      next.push_back(square);
+    seen_.assign(at(kAcross) * at(kAcross) * highest_.size(), false);
+    std::vector<State> next;
+    const auto reach = [&](State to) {
+      if (seen_[index(to)] || !is_open(to)) return;
+      seen_[index(to)] = true;
+      next.push_back(to);
     };
-    // Beyond the edge one comes from any open square to any other, but past a
-    // floor that is below all and where energy ends that is above all only on
-    // the same side.
+    // Beyond the edge one comes from any open square to any other, turned by
+    // anything, but past a floor that is below all and where energy ends that
+    // is above all only on the same side.
     const bool around = !energy_ends_above() || !floor_ends_below();
+    bool been_left = false, been_right = false;
     const auto go_outside = [&](bool left) {
-      for (int k = 0; k < kAcross; ++k) {
-        if (around || left) reach(0, k);
-        if (around || !left) reach(kAcross - 1, k);
-        if (!around) continue;
-        reach(k, 0);
-        reach(k, kAcross - 1);
+      if (std::exchange(left ? been_left : been_right, true)) return;
+      for (int step = 0; step < num_steps(); ++step) {
+        for (int k = 0; k < kAcross; ++k) {
+          reach({left ? 0 : kAcross - 1, k, step});
+          if (!around) continue;
+          reach({k, 0, step});
+          reach({k, kAcross - 1, step});
+        }
       }
     };
     for (int i = 0; i < kAcross; ++i) {
       for (int k = 0; k < kAcross; ++k) {
         const bool begins = start_ ? distance(i, k, *start_) <= half_diagonal()
                                    : lies_on(i, k, {0.0, 0.0}, r);
-        if (begins) reach(i, k);
+        if (begins) reach({i, k, 0});
       }
     }
+    // Within the first step, beside where it starts.
+    for (const State& begin : std::vector<State>(next)) {
+      each_neighbour(begin, begin.step, reach);
+    }
     while (!next.empty()) {
-      const int i = next.back() % kAcross, k = next.back() / kAcross;
+      const State here = next.back();
       next.pop_back();
-      if (lies_on(i, k, {scene_.L, scene_.H}, r)) return true;
-      if (i == 0 || i == kAcross - 1 ||
-          (around && (k == 0 || k == kAcross - 1))) {
-        go_outside(i == 0);
-      }
-      for (int di = -1; di <= 1; ++di) {
-        for (int dk = -1; dk <= 1; ++dk) {
-          const int a = std::clamp(i + di, 0, kAcross - 1);
-          const int b = std::clamp(k + dk, 0, kAcross - 1);
-          reach(a, b);
-        }
-      }
+      if (lies_on(here.i, here.k, {scene_.L, scene_.H}, r)) return true;
+      const bool left = here.i == 0, right = here.i == kAcross - 1;
+      const bool beyond = here.k == 0 || here.k == kAcross - 1;
+      if (left || (around && (right || beyond))) go_outside(true);
+      if (right || (around && (left || beyond))) go_outside(false);
+      each_neighbour(here, (here.step + 1) % num_steps(), reach);
     }
     return false;
   }
 
  private:
   static constexpr int kAcross = 400;
+
+  struct State {
+    int i, k;  ///< of the square, to the right and down
+    int step;  ///< of the turn
+  };
+
+  [[nodiscard]] int num_steps() const {
+    return static_cast<int>(highest_.size());
+  }
+  [[nodiscard]] std::size_t index(const State& state) const {
+    return at(state.i + kAcross * (state.k + kAcross * state.step));
+  }
+  template <class Reach>
+  void each_neighbour(const State& of, int step, Reach&& reach) const {
+    for (int k = std::max(0, of.k - 1); k <= of.k + 1 && k < kAcross; ++k) {
+      for (int i = std::max(0, of.i - 1); i <= of.i + 1 && i < kAcross; ++i) {
+        reach({i, k, step});
+      }
+    }
+  }
 
   [[nodiscard]] Point centre(int i, int k) const {
     return {left_ + (i + 0.5) * side_, top_ + (k + 0.5) * side_};
@@ -105,44 +145,62 @@ class Squares {
     return std::abs(distance(i, k, about) - radius) <= half_diagonal();
   }
   /// Distances change by no more than the place does.
-  [[nodiscard]] bool is_open(int i, int k) const {
-    const Point here = centre(i, k);
+  [[nodiscard]] bool is_obstructed(const std::vector<PathInequality>& limits,
+                                   Point here) const {
     TurningPoint<double> place{};
     place.x = here.x;
     place.z = here.z;
-    for (const PathInequality& limit : limits_) {
-      if (limit.bounds_control()) continue;
-      if (value_of(limit, ContactForce<double>{}, place) - limit.lower <
-          -half_diagonal()) {
-        return false;
-      }
-    }
-    return !energy_ends(here.z);
+    return std::ranges::any_of(limits, [&](const PathInequality& limit) {
+      return !limit.bounds_control() &&
+             value_of(limit, ContactForce<double>{}, place) - limit.lower <
+                 -half_diagonal();
+    });
   }
-  /// E = z − z_0 + r η (sin θ − sin θ_m), with sin θ at most 1.
-  [[nodiscard]] bool energy_ends(double z) const {
+  [[nodiscard]] bool is_open(const State& state) const {
+    return !obstructed_[at(state.i + kAcross * state.k)] &&
+           !energy_ends(centre(state.i, state.k).z, highest_[at(state.step)]);
+  }
+  /// The largest sin θ on a step of the turn.
+  [[nodiscard]] double highest_in(int step, int steps) const {
+    constexpr double kTurn = 2.0 * std::numbers::pi, kTop = 0.25 * kTurn;
+    if (steps == 1) return 1.0;
+    const double from = scene_.body.theta_m + kTurn * step / steps;
+    const double to = scene_.body.theta_m + kTurn * (step + 1) / steps;
+    const double top = kTop + kTurn * std::ceil((from - kTop) / kTurn);
+    return top <= to ? 1.0 : std::max(std::sin(from), std::sin(to));
+  }
+  /// E = z − z_0 + r η (sin θ − sin θ_m).
+  [[nodiscard]] bool energy_ends(double z, double sin_theta) const {
     if (!scene_.world.ordinary() || !start_) return false;
     const Body& body = scene_.body;
     const double most =
-        body.radius * body.eta_m * (1.0 - std::sin(body.theta_m));
+        body.radius * body.eta_m * (sin_theta - std::sin(body.theta_m));
     return z - start_->z + most < -half_diagonal();
   }
   [[nodiscard]] bool energy_ends_above() const {
-    return energy_ends(centre(0, 0).z);
+    return energy_ends(centre(0, 0).z, 1.0);
   }
   [[nodiscard]] bool floor_ends_below() const {
-    const double lowest = centre(0, kAcross - 1).z;
-    return std::ranges::any_of(limits_, [&](const PathInequality& limit) {
-      return limit.kind == PathInequality::Kind::Floor &&
-             limit.number - lowest < -half_diagonal();
-    });
+    return floor_ - centre(0, kAcross - 1).z < -half_diagonal();
+  }
+  /// The lowest that a centre may be.
+  [[nodiscard]] static double floor_of(
+      const std::vector<PathInequality>& limits) {
+    double out = std::numeric_limits<double>::infinity();
+    for (const PathInequality& limit : limits) {
+      if (limit.kind == PathInequality::Kind::Floor) {
+        out = std::min(out, limit.number);
+      }
+    }
+    return out;
   }
 
   const Scene& scene_;
-  const std::vector<PathInequality>& limits_;
   std::optional<Point> start_;
-  double side_, left_, top_;
-  std::vector<bool> seen_;
+  double side_, left_, top_, floor_;
+  std::vector<bool> obstructed_;  ///< by square
+  std::vector<double> highest_;   ///< sin θ, by step of the turn
+  std::vector<bool> seen_;        ///< by state
 };
 
 }  // namespace
@@ -152,7 +210,10 @@ bool way_is_open(const Scene& scene,
   const bool obstacles = std::ranges::any_of(
       limits,
       [](const PathInequality& limit) { return !limit.bounds_control(); });
-  return !obstacles || Squares(scene, limits).joins();
+  if (!obstacles) return true;
+  return Squares(scene, limits, false).joins() &&
+         (!scene.body.off_centred() || !scene.world.ordinary() ||
+          Squares(scene, limits, true).joins());
 }
 
 }  // namespace brachisto

@@ -80,8 +80,8 @@ struct Line {
   std::vector<Point> centre;
   std::vector<double> length{0.0};
 };
+constexpr int kPlaces = 400;
 Line line_of(const ExtremalCurve& free) {
-  constexpr int kPlaces = 400;
   Line out;
   for (int i = 0; i <= kPlaces; ++i) {
     const double sigma = static_cast<double>(i) / kPlaces;
@@ -179,17 +179,31 @@ TurningPoint<double> RoughPath::at(double sigma) const {
           mean(&At::w), mean(&At::beta), mean(&At::q)};
 }
 
-std::vector<RoughPath> detours(const Scene& scene, const ExtremalCurve& free,
-                               const std::vector<PathInequality>& limits) {
+std::vector<RoughPath> other_ways(const Scene& scene, const ExtremalCurve& free,
+                                   const std::vector<PathInequality>& limits) {
+  constexpr double kSag = 0.25;
   const Line line = line_of(free);
   std::vector<RoughPath> out;
+  const auto add = [&](const std::vector<Point>& centre) {
+    if (auto path = rolled(scene, centre, turning_point(free, 0.0))) {
+      out.push_back(*std::move(path));
+    }
+  };
   for (const PathInequality& disc : near_discs(line, limits)) {
     const Passage passage(line, disc);
     Line bent = line;
     bend(bent, passage, disc.number, passage.over <= 0.0);
-    if (auto path = rolled(scene, bent.centre, turning_point(free, 0.0))) {
-      out.push_back(*std::move(path));
+    add(bent.centre);
+  }
+  const Point from = line.centre.front(), to = line.centre.back();
+  for (const double sag : {0.0, kSag * distance(from, to)}) {
+    std::vector<Point> bow;
+    for (int i = 0; i <= kPlaces; ++i) {
+      const double t = std::pow(static_cast<double>(i) / kPlaces, 2);
+      bow.push_back({from.x + t * (to.x - from.x),
+                     from.z + t * (to.z - from.z) + 4.0 * sag * t * (1.0 - t)});
     }
+    add(bow);
   }
   return out;
 }

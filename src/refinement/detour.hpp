@@ -24,12 +24,14 @@ struct RoughPath {
   [[nodiscard]] TurningPoint<double> at(double sigma) const;
 };
 
-/// For each disc that the free extremal passes nearer than its own reach, or at
-/// no more than that from it, the extremal bent around its other side. A
-/// method that goes from path to path does not come from one side to the other.
+/// Where else a path may lead than the free extremal does, for a method that
+/// goes from path to path does not come from one side of a disc to the other:
+/// for each disc that the extremal passes nearer than the disc's own reach, or
+/// at no more than that from it, the extremal bent around its other side; then
+/// the line from end to end; then a bow below it.
 ///
 /// \param scene  in natural units
-[[nodiscard]] std::vector<RoughPath> detours(
+[[nodiscard]] std::vector<RoughPath> other_ways(
     const Scene& scene, const ExtremalCurve& free,
     const std::vector<PathInequality>& limits);
 

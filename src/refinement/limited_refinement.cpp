@@ -92,15 +92,17 @@ class LimitedSolve {
 
   [[nodiscard]] std::optional<FittedPath> find_arcs() {
     const PhaseTimer timer(Phase::Start);
-    const bool tightened = tightening_->tighten() || go_around();
+    const bool tightened = tightening_->tighten();
     std::optional<FittedPath> path;
     if (tightened) path = read_off();
-    if (path || protocol_.status == Status::NoFastestTrack) return path;
-    const Status status = protocol_.status;
-    const bool none =
-        status == Status::Infeasible || status == Status::NoAdmissiblePath;
-    if (!tightened && none) return path;
-    const std::string message =
+    const auto settled = [&] {
+      return path || mesh_ || stopped() ||
+             protocol_.status == Status::NoFastestTrack;
+    };
+    if (settled() || protocol_.status == Status::NoAdmissiblePath) return path;
+    if (tightening_->is_shut()) return path;
+    Status status = protocol_.status;
+    std::string message =
         tightened
             ? fmt::format(
                   "a path on a coarse mesh keeps the limits, with τ "
@@ -109,30 +111,28 @@ class LimitedSolve {
                   tightening_->last().transit_time() / std::sqrt(scene_.H),
                   protocol_.message)
             : protocol_.message;
-    if (tightened && !stopped()) path = from_mesh();
-    if (!path && !stopped()) path = follow_from_loosest();
-    if (!path && !mesh_ && tightened && end_is_sought(scene_) && !stopped() &&
-        tightening_->bracket_contact()) {
+    if (tightened) path = from_mesh();
+    if (!settled() && (tightened || status != Status::Infeasible)) {
+      path = follow_from_loosest();
+      message += followed();
+    }
+    if (!settled() && tightened) path = bracketed();
+    if (protocol_.status == Status::NoSmoothContact) {
+      status = protocol_.status;
+      message = protocol_.message;
+    }
+    while (!settled() && tightening_->tighten_elsewhere()) {
       path = read_off();
+      if (!settled()) path = bracketed();
     }
-    if (!path && !stopped() && protocol_.status != Status::NoSmoothContact) {
-      protocol_.fail(status, message + followed());  // of the first attempt
-    }
+    if (!settled()) protocol_.fail(status, message);  // of the first attempt
     return path;
   }
 
-  /// Tightens on the other side of what is in the way; else what the first
-  /// attempt said stands.
-  [[nodiscard]] bool go_around() {
-    const Status status = protocol_.status;
-    const std::string message = protocol_.message;
-    if (status == Status::NoAdmissiblePath) return false;
-    for (RoughPath& detour : detours(scene_, *free_, limits_)) {
-      if (stopped()) break;
-      if (tightening_->tighten_from(std::move(detour))) return true;
-    }
-    protocol_.fail(status, message);
-    return false;
+  /// Where the contact at B could not be followed.
+  [[nodiscard]] std::optional<FittedPath> bracketed() {
+    if (!end_is_sought(scene_) || !tightening_->bracket_contact()) return {};
+    return read_off();
   }
 
   /// What the program finds next to a path that keeps looser limits.
@@ -153,15 +153,12 @@ class LimitedSolve {
 
   /// From what the interior-point method found.
   [[nodiscard]] std::optional<FittedPath> read_off() {
-    constexpr int kMostMeshes = 2;
-    for (int i = 0; i < kMostMeshes; ++i) {
-      if (i > 0 && !tightening_->solve_finer()) return std::nullopt;
-      auto path = arcs_from(tightening_->last());
-      if (path || stopped() || protocol_.status == Status::NoFastestTrack) {
-        return path;
-      }
+    auto path = arcs_from(tightening_->last());
+    const bool none = stopped() || protocol_.status == Status::NoFastestTrack;
+    if (!path && !none && tightening_->solve_finer()) {
+      path = arcs_from(tightening_->last());
     }
-    return std::nullopt;
+    return path;
   }
   [[nodiscard]] std::optional<FittedPath> arcs_from(const LimitedCurve& mesh) {
     return brachisto::arcs_from(mesh, kArcDegree, arcs_, protocol_,
@@ -318,6 +315,7 @@ class LimitedSolve {
     if (options.ipopt.max_iterations <= 0) return std::nullopt;
     LimitedSolve solve(looser, wanted_, *free_, phi_, options);
     std::optional<FittedPath> path;
+    if (solve.tightening_->is_shut()) return path;
     if (nearby != nullptr) {
       path = solve.from_nearby(*nearby);
     } else if (solve.tightening_->tighten()) {

@@ -34,7 +34,7 @@ struct LimitedRefinement : RefinementProtocol {
 /// - Tightening: on a coarse mesh of equal elements an interior-point method
 ///   solves a row of programs, from limits that the free extremal keeps to
 ///   those of the scene, each from the solution before; the contact follows.
-///   If that leads nowhere, once more from detours() around each disc.
+///   If in the end that led nowhere, once more from each of other_ways().
 /// - Arcs: where limits hold and where not is read off, elements end at the
 ///   junctions, and junctions and contacts are found as roots (fit_arcs()). If
 ///   the result exceeds a limit or has a multiplier of the wrong sign the arcs

@@ -8,9 +8,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <utility>
 
 #include "brachisto/math/index.hpp"
+#include "model/contact.hpp"
 #include "model/passage.hpp"
 #include "nlp/elastic.hpp"
 #include "refinement/open_conditions.hpp"
@@ -21,8 +23,8 @@ namespace brachisto {
 
 namespace {
 
-/// Between slopes at B that are held [rad].
-constexpr double kEndStep = 0.1;
+/// Slopes at B that are held lie so far apart and are no steeper [rad].
+constexpr double kEndStep = 0.1, kSteepest = 1.4;
 
 bool winds(const LimitedCurve& curve) {
   constexpr double kTooSteep = 0.999 * std::numbers::pi;
@@ -182,6 +184,12 @@ std::optional<LimitedEnds> Tightening::next_ends(const Inequalities& limits) {
   return with_start(ends, scene_, limits, last_ && last_->holds_control(0));
 }
 
+bool Tightening::is_shut() {
+  if (way_is_open(scene_, limits_)) return false;
+  protocol_.fail(Status::NoAdmissiblePath, std::string(kNoWay));
+  return true;
+}
+
 bool Tightening::none_at_rest() {
   return protocol_.fail(Status::NoAdmissiblePath,
                         "no admissible path: at rest no direction keeps the "
@@ -234,7 +242,9 @@ bool Tightening::tighten() {
     found.start = last_->start_slope();
     const auto ends =
         with_start(found, scene_, limits_, last_->holds_control(0));
-    if (!ends || !keep_limits(*ends)) {
+    const bool overhangs = std::abs(found.phi) > 0.5 * std::numbers::pi;
+    if (!ends || ((overhangs || !keep_limits(*ends)) &&
+                  !keep_limits_elsewhere(*first))) {
       give_way_for_good_ = false;  // with these slopes; there are others
       return none_found();
     }
@@ -258,7 +268,23 @@ bool Tightening::tighten_from(const LimitedCurve& nearby) {
 bool Tightening::tighten_from(RoughPath path) {
   last_.reset();
   rough_ = std::move(path);
+  end_held_ = false;
   return tighten();
+}
+
+bool Tightening::tighten_elsewhere() {
+  if (!other_ways_) {
+    other_ways_ = other_ways(scene_, free_, limits_);
+    std::ranges::reverse(*other_ways_);
+  }
+  // What is left serves limits that ask for less.
+  while (!other_ways_->empty() && 2 * budget_ > ipopt_.max_iterations &&
+         !ipopt_.stop.met()) {
+    RoughPath way = std::move(other_ways_->back());
+    other_ways_->pop_back();
+    if (tighten_from(std::move(way))) return true;
+  }
+  return false;
 }
 
 bool Tightening::solve_anew(const Inequalities& limits) {
@@ -301,10 +327,10 @@ std::vector<LimitedCurve> Tightening::contacts_along() {
   const LimitedCurve first = *last_;
   for (const double direction : {1.0, -1.0}) {
     last_ = first;
-    turn_end(direction, [&](const Held& before, const Held& here) {
-      if (here.beyond(before)) {
+    turn_end(direction, [&](const auto& before, const Held& here) {
+      if (before && here.beyond(*before)) {
         const LimitedCurve there = *last_;
-        if (close_in(before, here)) out.push_back(*last_);
+        if (close_in(*before, here)) out.push_back(*last_);
         last_ = there;
       }
       return !ipopt_.stop.met() && budget_ > 0;
@@ -321,14 +347,45 @@ bool Tightening::solve_finer() {
   return true;
 }
 
+bool Tightening::end_is_open(double phi) const {
+  const Point end = end_of_centre(scene_, phi);
+  return std::ranges::all_of(limits_, [&](const PathInequality& limit) {
+    return limit.bounds_control() ||
+           value_of(limit, ContactForce<double>{},
+                    TurningPoint<double>{end.x, end.z, 0.0, 0.0, phi, 0.0}) >=
+               limit.lower;
+  });
+}
+
+bool Tightening::keep_limits_elsewhere(const LimitedEnds& ends) {
+  constexpr double kStep = 0.3;
+  if (!end_is_sought(scene_) || end_is_open(ends.phi)) return false;
+  if (!blocking_ && !tight_) blocking_ = tightest();
+  last_.reset();
+  for (double off = kStep; off < 2.0 * kSteepest; off += kStep) {
+    for (const double phi : {ends.phi + off, ends.phi - off}) {
+      if (std::abs(phi) > kSteepest || !end_is_open(phi)) continue;
+      if (ipopt_.stop.met() || budget_ == 0) return false;
+      LimitedEnds held = ends;
+      held.phi = phi;
+      if (keep_limits(held)) return true;
+    }
+  }
+  return false;
+}
+
 void Tightening::turn_end(
     double direction,
-    const std::function<bool(const Held& before, const Held& here)>& go_on) {
-  constexpr double kSteepest = 1.4;
+    const std::function<bool(const std::optional<Held>& before,
+                             const Held& here)>& go_on) {
   end_held_ = true;
-  Held before = held();
-  for (double phi = before.phi + direction * kEndStep;
+  std::optional<Held> before = held();
+  for (double phi = before->phi + direction * kEndStep;
        std::abs(phi) < kSteepest; phi += direction * kEndStep) {
+    if (!end_is_open(phi)) {
+      before.reset();
+      continue;
+    }
     if (!solve_held(phi)) return;
     const Held here = held();
     if (!go_on(before, here)) return;
@@ -337,6 +394,7 @@ void Tightening::turn_end(
 }
 
 bool Tightening::bracket_contact() {
+  end_held_ = true;
   last_ = tight_;
   const LimitedCurve first = *last_;
   const Held begin = held();
@@ -345,11 +403,11 @@ bool Tightening::bracket_contact() {
   std::optional<bool> closed;
   for (const double direction : {1.0, -1.0}) {
     last_ = first;
-    turn_end(direction, [&](const Held& before, const Held& here) {
+    turn_end(direction, [&](const auto& before, const Held& here) {
       least = std::min(least, std::abs(here.open));
       lowest = std::min(lowest, here.phi);
       highest = std::max(highest, here.phi);
-      if (here.beyond(before)) closed = close_in(before, here);
+      if (before && here.beyond(*before)) closed = close_in(*before, here);
       return !closed;
     });
     if (closed) return *closed;
@@ -397,12 +455,6 @@ bool Tightening::close_in(Held a, Held b) {
 
 bool Tightening::none_found() {
   if (!blocking_ && !tight_) blocking_ = tightest();
-  if (!way_is_open(scene_, limits_)) {
-    return protocol_.fail(
-        Status::NoAdmissiblePath,
-        "no path leads from the start to B: what is in the way "
-        "leaves the body no room to pass");
-  }
   std::string text = give_way_for_good_
                          ? "the limits give way at any price where the "
                            "solver ended"

@@ -42,6 +42,10 @@ class Tightening {
   Tightening(const Scene& scene, const ExtremalCurve& free, double phi,
              const IpoptOptions& ipopt, PassProtocol& protocol);
 
+  /// Whether what is in the way leaves no way at all; then the protocol says
+  /// so.
+  bool is_shut();
+
   /// To the limits of the scene, with the slopes of the free extremal if these
   /// let it keep them, else with others that do; the contact follows. If they
   /// give way as much at ten times the price, and free slopes do not help where
@@ -52,6 +56,11 @@ class Tightening {
   /// limits, perhaps with other bounds, or what only looks like a motion.
   [[nodiscard]] bool tighten_from(const LimitedCurve& nearby);
   [[nodiscard]] bool tighten_from(RoughPath path);
+
+  /// The same from the next of other_ways() that leads to the limits of the
+  /// scene. False if none of those that are left does, or half of the
+  /// iterations are used up.
+  [[nodiscard]] bool tighten_elsewhere();
 
   /// The same from the solution under limits that are looser.
   [[nodiscard]] bool tighten_after(const std::vector<PathInequality>& looser);
@@ -72,9 +81,9 @@ class Tightening {
 
   /// Where the contact at B cannot be followed: under the limits of the scene
   /// with the slope that C_B is built from held at one place after the other,
-  /// until the slope at the end less that one changes its sign between two,
-  /// whose root is closed in on. Where it does so nowhere, or jumps, there is
-  /// no smooth contact.
+  /// but where C_B itself is in the way, until the slope at the end less that
+  /// one changes its sign between two, whose root is closed in on. Where it
+  /// does so nowhere, or jumps, there is no smooth contact.
   ///
   /// \pre tighten() succeeded
   [[nodiscard]] bool bracket_contact();
@@ -144,11 +153,18 @@ class Tightening {
     }
   };
   /// Holds that slope further and further to one side of that of last(), as
-  /// long as there are paths and two neighbours say to go on.
-  void turn_end(
-      double direction,
-      const std::function<bool(const Held& before, const Held& here)>& go_on);
+  /// long as there are paths and two neighbours say to go on; slopes from which
+  /// C_B lies where the limits do not let it are passed over, and have no
+  /// neighbour beyond.
+  void turn_end(double direction,
+                const std::function<bool(const std::optional<Held>& before,
+                                         const Held& here)>& go_on);
   bool none_at_rest();
+  /// Whether C_B(φ) keeps the limits of the place.
+  [[nodiscard]] bool end_is_open(double phi) const;
+  /// From where it starts, with the slope at B held at other values than one
+  /// with which C_B is in the way.
+  bool keep_limits_elsewhere(const LimitedEnds& ends);
   bool solve_held(double phi);
   [[nodiscard]] Held held();
   /// By bisection, for slopes may jump where arcs are born.
@@ -159,7 +175,8 @@ class Tightening {
 
   const Scene& scene_;
   const ExtremalCurve& free_;
-  std::optional<RoughPath> rough_;  ///< to start from instead
+  std::optional<RoughPath> rough_;                    ///< to start from instead
+  std::optional<std::vector<RoughPath>> other_ways_;  ///< that are left
   LimitRelaxation relaxation_;
   Inequalities limits_;  ///< of the scene
   Mesh mesh_;

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "model/contact.hpp"
+#include "model/passage.hpp"
 #include "model/scene_coordinate.hpp"
 #include "model/world_part.hpp"
 #include "refinement/turn_meshes.hpp"
@@ -174,6 +175,13 @@ Start start_from_cycloid(const PosedProblem& posed) {
     const PhaseTimer timer(Phase::Start);
     static_cast<Continuation&>(start) = continue_into_world(
         posed.natural, std::move(start), posed.stop(), posed.progress());
+  }
+  if (!start.curve && posed.limited && !posed.stop().met()) {
+    const Scene& scene = *posed.limited;
+    if (!way_is_open(scene, inequalities(scene.body, scene.limits))) {
+      return ended(std::move(start),
+                   {Status::NoAdmissiblePath, std::string(kNoWay)});
+    }
   }
   return start;
 }

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "model/contact.hpp"
+
 namespace brachisto {
 namespace {
 
@@ -53,6 +55,27 @@ TEST(Passage, AboveIsLeftOpenWhereEnergyMayReach) {
   scene.body = Body::cylinder(0.25, 0.7, -0.5 * std::numbers::pi, 0.5);
   scene.limits.discs.front().centre.z = 0.6;
   EXPECT_TRUE(open());
+}
+
+/// It starts with its mass below its centre, and has to lift it by 2 r η on the
+/// way, which a floor leaves it the energy for if the centre may sink by as
+/// much. It may sink first: B is two turns away.
+TEST(Passage, IsShutIfTheBodyCannotTurnOver) {
+  Scene scene;
+  scene.L = 6.0;
+  scene.H = 0.5;
+  scene.body = Body::cylinder(0.5, 0.4, 0.5 * std::numbers::pi, 0.5);
+  constexpr double kSquare = 3.0 * 6.5 / 400.0;
+  const double lowest = start_of_centre(scene).z + 2.0 * 0.5 * 0.4;
+  const auto open = [&](double more) {
+    scene.limits.floor = lowest + scene.body.radius + more;
+    return way_is_open(scene, inequalities(scene.body, scene.limits));
+  };
+  EXPECT_TRUE(open(0.0));
+  EXPECT_TRUE(open(1.0));
+  EXPECT_FALSE(open(-3.0 * kSquare));
+  scene.L = 1.2;  // it does not come so far round
+  EXPECT_TRUE(open(-3.0 * kSquare));
 }
 
 TEST(Passage, IsOpenWithoutObstacles) {

@@ -67,7 +67,7 @@ SolverResult Tightening::run(nlp::Problem& problem, const PrimalDual& start,
   ipopt.max_iterations = std::min(budget_, kMostIterations);
   SolverResult result = solve_with_ipopt(problem, start, ipopt);
   budget_ = std::max(0, budget_ - result.iterations);
-  protocol_.add(result);
+  protocol_.add(result, problem);
   if (result.status == Status::IterationLimit && budget_ > 0) {
     // Of one of many passes, not of the user.
     result.status = Status::NotConverged;
@@ -194,7 +194,7 @@ bool Tightening::keep_limits(const LimitedEnds& ends) {
   for (double price = 1.0; price <= kHighestPrice; price *= 10.0) {
     const bool solved = solve_elastic(ends, price);
     if (solved && given_way_ <= kNone) return true;
-    if (ipopt_.stop.met() || budget_ == 0) return false;
+    if (protocol_.stopped() || budget_ == 0) return false;
     if (!solved && price > 1.0) return false;
     if (solved && before && given_way_ > kSame * *before) {
       give_way_for_good_ = true;
@@ -211,7 +211,7 @@ bool Tightening::tighten() {
   if (!keep_limits(*first)) {
     // Other slopes may let the path keep what these do not.
     const bool sought = end_is_sought(scene_);
-    if (!(sought || start_is_sought(scene_, *first)) || ipopt_.stop.met() ||
+    if (!(sought || start_is_sought(scene_, *first)) || protocol_.stopped() ||
         !last_) {
       return none_found();
     }
@@ -238,7 +238,7 @@ bool Tightening::tighten() {
   }
   const auto ends = next_ends(limits_);
   if (!ends) return none_at_rest();
-  if (!solve_rigid(limits_, mesh_, *ends) && ipopt_.stop.met()) return false;
+  if (!solve_rigid(limits_, mesh_, *ends) && protocol_.stopped()) return false;
   tight_ = last_;
   // What failed on the way did so for its price alone.
   protocol_.status = Status::NotConverged;
@@ -298,7 +298,7 @@ bool Tightening::bracket_contact() {
       }
       before = here;
     }
-    if (ipopt_.stop.met()) return false;
+    if (protocol_.stopped()) return false;
   }
   if (highest - lowest < 2.0 * kStep) return false;
   return protocol_.fail(

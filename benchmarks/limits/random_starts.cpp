@@ -17,10 +17,8 @@
 #include <vector>
 
 #include "brachisto/solvers/program_solvers.hpp"
+#include "limits/random_path.hpp"
 #include "math/cpu_clock.hpp"
-#include "math/portable_random.hpp"
-#include "model/contact.hpp"
-#include "model/energy.hpp"
 #include "model/inertia.hpp"
 #include "refinement/arc_fit.hpp"
 #include "study/pose.hpp"
@@ -35,97 +33,6 @@ using namespace brachisto;
 using namespace brachisto::benchmarks;
 
 namespace {
-
-/// A motion by its rolling time, tabulated finely enough for a start.
-struct RandomPath {
-  std::vector<double> u;
-  std::vector<TurningPoint<double>> at;
-
-  [[nodiscard]] double rolling_time() const { return u.back(); }
-  [[nodiscard]] TurningPoint<double> operator()(double sigma) const {
-    const double wanted = sigma * u.back();
-    const auto next = std::clamp(std::ranges::upper_bound(u, wanted),
-                                 u.begin() + 1, u.end() - 1);
-    const auto i = static_cast<std::size_t>(next - u.begin());
-    const double t = (wanted - u[i - 1]) / (u[i] - u[i - 1]);
-    const TurningPoint<double>&a = at[i - 1], &b = at[i];
-    return {std::lerp(a.x, b.x, t),         std::lerp(a.z, b.z, t),
-            std::lerp(a.theta, b.theta, t), std::lerp(a.w, b.w, t),
-            std::lerp(a.beta, b.beta, t),   std::lerp(a.q, b.q, t)};
-  }
-};
-
-/// The centre's path from random slopes at A and B: a cubic with waves on it,
-///
-///     c(t) = cubic(t) + 16 t² (1 − t)² Σ_k a_k sin(k π t + b_k),  k = 1 … 6,
-///
-/// |a_k| ≤ waviness/k. Empty if the body would not get through, or if the path
-/// turns back or over.
-RandomPath attempt(const Scene& scene, double waviness, SplitMix64& random) {
-  constexpr int kWaves = 6, kCells = 4000;
-  constexpr double kSteepest = 0.6 * std::numbers::pi;
-  const double beta_0 = random.uniform(0.3, 1.6);
-  const double phi = random.uniform(-1.4, 0.8);
-  const Point from = centre_above({0.0, 0.0}, scene.body.radius, beta_0);
-  const Point to = end_of_centre(scene, phi);
-  const double reach = std::hypot(to.x - from.x, to.z - from.z);
-  const double speed_0 = reach * random.uniform(0.3, 2.0);
-  const double speed_1 = reach * random.uniform(0.3, 2.0);
-  struct Wave {
-    double x, z, phase_x, phase_z;
-  };
-  std::vector<Wave> waves;
-  for (int k = 1; k <= kWaves; ++k) {
-    const auto amplitude = [&] {
-      return random.uniform(-waviness, waviness) / k;
-    };
-    const auto phase = [&] {
-      return random.uniform(0.0, 2.0 * std::numbers::pi);
-    };
-    waves.push_back({amplitude(), amplitude(), phase(), phase()});
-  }
-  const auto place = [&](double t) {
-    const double rest = 1.0 - t;
-    const double h00 = rest * rest * (1.0 + 2.0 * t), h10 = t * rest * rest;
-    const double h01 = 1.0 - h00, h11 = -t * t * rest;
-    const double window = 16.0 * t * t * rest * rest;
-    Point at{h00 * from.x + h01 * to.x + h10 * speed_0 * std::cos(beta_0) +
-                 h11 * speed_1 * std::cos(phi),
-             h00 * from.z + h01 * to.z + h10 * speed_0 * std::sin(beta_0) +
-                 h11 * speed_1 * std::sin(phi)};
-    for (std::size_t k = 0; k < waves.size(); ++k) {
-      const double turn = (static_cast<double>(k) + 1.0) * std::numbers::pi * t;
-      at.x += window * waves[k].x * std::sin(turn + waves[k].phase_x);
-      at.z += window * waves[k].z * std::sin(turn + waves[k].phase_z);
-    }
-    return at;
-  };
-
-  // With t = ζ² the speed, like √s at the start, is smooth in ζ.
-  RandomPath path;
-  const Body& body = scene.body;
-  path.u.push_back(0.0);
-  path.at.push_back({from.x, from.z, body.theta_m, 0.0, beta_0, 0.0});
-  double s = 0.0;
-  for (int i = 1; i <= kCells; ++i) {
-    const double zeta = static_cast<double>(i) / kCells;
-    const TurningPoint<double>& before = path.at.back();
-    const Point here = place(zeta * zeta);
-    const double dx = here.x - before.x, dz = here.z - before.z;
-    const double ds = std::hypot(dx, dz);
-    const double beta = std::atan2(dz, dx);
-    s += ds;
-    const double theta = body.theta_m + s / body.radius;
-    const double E = energy_height(body, here.z - from.z, theta);
-    if (!(E > 0.0) || std::abs(beta) > kSteepest) return {};
-    const double w = fall_speed(scene.gravity, E);
-    const double du = 2.0 * ds / (w + before.w);
-    path.u.push_back(path.u.back() + du);
-    path.at.push_back(
-        {here.x, here.z, theta, w, beta, (beta - before.beta) / du});
-  }
-  return path;
-}
 
 /// What a start led to.
 struct Record {
@@ -169,8 +76,9 @@ std::optional<FittedPath> fitted(LimitedCurve curve, const MeshOptions& options,
     }
     auto other = corrected(fit.path->curve, fit.path->arcs);
     if (!other) return std::move(fit.path);
-    setting.arcs = std::move(*other);
+    setting.arcs = std::move(other->arcs);
     setting.ends = fit.path->ends;
+    setting.ends.corner = other->corner;
     curve = fit.path->curve;
   }
   reason = "arcs keep changing";
@@ -189,11 +97,8 @@ Record run(const Study& study, std::uint64_t seed) {
   const double tau_unit = std::sqrt(2.0 * scene.gravity / scene.H);
   Record record;
   SplitMix64 random(SplitMix64::scrambled(seed));
-  RandomPath path;
-  while (path.u.empty()) {
-    path = attempt(scene, study.waviness, random);
-    ++record.attempts;
-  }
+  const RandomPath path =
+      some_random_path(scene, study.waviness, random, record.attempts);
   for (std::size_t i = 1; i < path.u.size(); ++i) {
     const TurningPoint<double>& at = path.at[i];
     record.start_tau +=
@@ -203,19 +108,13 @@ Record run(const Study& study, std::uint64_t seed) {
   LimitedTime problem(scene, inequalities(scene.body, scene.limits),
                       uniform_mesh(study.degree, study.elements),
                       {.free_contacts = true});
-  PrimalDual start = sample_at_mesh(
-      problem, path.rolling_time(), [&](double sigma) -> LimitedPoint {
-        return {.state = path(sigma),
-                .p = {},
-                .multipliers = std::vector<double>(problem.limits().size())};
-      });
-  start.lambda.clear();
   IpoptOptions ipopt;
   ipopt.tolerance = 1e-8;
   ipopt.complementarity = 1e-10;
   ipopt.max_iterations = study.iterations;
   const double begin = process_cpu_seconds();
-  SolverResult found = solve_with_ipopt(problem, start, ipopt);
+  SolverResult found =
+      solve_with_ipopt(problem, start_on(problem, path), ipopt);
   record.iterations = found.iterations;
   if (found.status != Status::Solved) {
     record.reason = FixedText<200>(found.message);

@@ -24,7 +24,7 @@ double looser(double by) {
   return std::pow(kTimes, by);
 }
 
-constexpr double kWeights = 2.0;  // by which loosened forces differ
+constexpr double kWeights = 2.0;  // by which loosened least loads differ
 
 const char* kappa(const PathLimits& limits) {
   return limits.curvature.of == Of::Track ? "κ_b" : "κ_c";
@@ -143,7 +143,7 @@ constexpr LimitEntry kGreatestForceEntry{
     .is = [](const Scene&, Kind kind,
              bool lower) { return kind == Kind::NormalForce && !lower; },
     .loosened = [](const Scene&, double most,
-                   double by) { return most + kWeights * by; },
+                   double by) { return most * looser(by); },
     .pose = nullptr,
     .widen = nullptr,
     .looser = "a larger normal_force.max"};

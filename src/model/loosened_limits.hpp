@@ -12,9 +12,10 @@
 namespace brachisto {
 
 /// The limits of a scene, each of them looser the greater `by` is, and of the
-/// same kinds: at 0 as they are, at 1 with twenty times the friction and the
-/// curvatures (a valley of the track stays below 1/r), R_n two m g beyond its
-/// bounds (not below 0 if it was not), no fold margin, discs shrunk to a tenth,
+/// same kinds: at 0 as they are, at 1 with twenty times the friction, the
+/// greatest R_n, in which a small body's mass turns, and the curvatures (a
+/// valley of the track stays below 1/r), the least R_n two m g less (not below
+/// 0 if it was not), no fold margin, discs shrunk to a tenth,
 /// floor and half-planes moved off by H. With Contact::Optimal bounds of humps
 /// and the fold margin have a meaning of their own and stay.
 ///

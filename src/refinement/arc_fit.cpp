@@ -139,6 +139,8 @@ class Fit {
       // If it released one more of them.
       if (system.open().size() != steps_.size()) steps_ = {};
       ++out_.newton_steps;
+      out_.work +=
+          system.problem().num_variables() + system.problem().num_constraints();
       const PathRates newton = system.newton(left_by_factors());
       if (!newton.open.allFinite()) {
         return fail(
@@ -374,6 +376,7 @@ ArcFit fit_arcs(const LimitedCurve& nearby, PathSetting setting, int degree,
   if (!bold.path) bold.message = std::move(first.message);
   bold.passes += first.passes;
   bold.newton_steps += first.newton_steps;
+  bold.work += first.work;
   return bold;
 }
 

@@ -29,6 +29,7 @@ struct ArcFit {
   std::optional<FittedPath> path;
   std::string message;  ///< why there is none
   int passes = 0, newton_steps = 0;
+  double work = 0.0;  ///< see PassProtocol
 };
 
 /// Finds variables, multipliers, the places of the junctions and the slopes

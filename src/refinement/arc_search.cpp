@@ -32,6 +32,7 @@ ArcFit ArcSearch::fit(const LimitedCurve& nearby, PathSetting setting,
   MeshRecord& record = protocol_.record;
   record.passes += found.passes;
   record.newton_steps += found.newton_steps;
+  protocol_.work += found.work;
   record.degree = degree;
   if (found.path) {
     record.elements = found.path->curve.problem().mesh().num_elements();
@@ -59,7 +60,7 @@ std::optional<FittedPath> ArcSearch::fit_corrected(LimitedCurve nearby,
     }
     note(i == 0 ? "arcs tried" : "corrected to", setting);
     ArcFit found = fit(nearby, setting, degree);
-    if (options_.ipopt.stop.met()) return std::nullopt;
+    if (protocol_.stopped()) return std::nullopt;
     const bool fitted = found.path.has_value();
     if (fitted) {
       last = std::move(found.path);

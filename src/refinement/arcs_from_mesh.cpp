@@ -10,8 +10,7 @@
 namespace brachisto {
 
 std::optional<FittedPath> arcs_from(const LimitedCurve& mesh, int degree,
-                                    ArcSearch& search, PassProtocol& protocol,
-                                    const StopCondition& stop) {
+                                    ArcSearch& search, PassProtocol& protocol) {
   const std::vector<Arc> arcs = arcs_of(mesh);
   if (kinks_at_rest(mesh, arcs)) {
     protocol.fail(Status::NoFastestTrack,
@@ -27,7 +26,7 @@ std::optional<FittedPath> arcs_from(const LimitedCurve& mesh, int degree,
   for (const bool graded : {false, true}) {
     auto path = search.fit_corrected(
         mesh, {mesh.problem().limits(), from_A.arcs, ends}, degree, graded);
-    if (path || stop.met()) return path;
+    if (path || protocol.stopped()) return path;
   }
   return std::nullopt;
 }
@@ -54,33 +53,30 @@ std::optional<LimitedAnswer> refined(FittedPath path,
 LimitedAnswer answer_without_arcs(const PathWithoutArcs& found,
                                   PassProtocol& protocol) {
   protocol.status = Status::Solved;
-  protocol.message =
-      "solved under limits on a mesh that knows no arcs; where limits begin "
-      "and cease to hold was not found";
+  protocol.message = kSolvedWithoutArcs;
   return {found.path, found.estimated_error};
 }
 
 LimitedRefinement refine_from_mesh(const LimitedCurve& mesh,
                                    const Discretisation& wanted,
                                    const MeshOptions& options) {
-  const StopCondition& stop = options.ipopt.stop;
-  PassProtocol protocol(options.progress);
+  PassProtocol protocol(options);
   ArcSearch search(protocol, options);
   std::optional<LimitedAnswer> answer;
   std::optional<PathWithoutArcs> without;
-  auto path = arcs_from(mesh, kArcDegree, search, protocol, stop);
-  if (!path && !wanted.fixed() && !stop.met() &&
+  auto path = arcs_from(mesh, kArcDegree, search, protocol);
+  if (!path && !wanted.fixed() && !protocol.stopped() &&
       protocol.status != Status::NoFastestTrack) {
     without = solve_without_arcs(
         mesh, wanted.tolerance.value_or(kToleranceWithoutArcs), options.ipopt,
         protocol);
-    if (without && !stop.met()) {
-      path = arcs_from(without->path.curve, kArcDegree, search, protocol, stop);
+    if (without && !protocol.stopped()) {
+      path = arcs_from(without->path.curve, kArcDegree, search, protocol);
     }
   }
   if (path) answer = refined(*std::move(path), wanted, search, protocol);
   if (!answer && without) answer = answer_without_arcs(*without, protocol);
-  return {std::move(protocol).finished(), std::move(answer), {}, {}};
+  return {std::move(protocol).finished(), std::move(answer), {}, {}, {}, {}};
 }
 
 }  // namespace brachisto

@@ -24,8 +24,7 @@ inline constexpr int kArcDegree = 7;
 /// \param mesh  a solution whose limits are inequalities
 [[nodiscard]] std::optional<FittedPath> arcs_from(const LimitedCurve& mesh,
                                                   int degree, ArcSearch& search,
-                                                  PassProtocol& protocol,
-                                                  const StopCondition& stop);
+                                                  PassProtocol& protocol);
 
 /// By the degree and on the elements that are wanted, or on as many as its
 /// tolerance takes.

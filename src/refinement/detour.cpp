@@ -180,7 +180,7 @@ TurningPoint<double> RoughPath::at(double sigma) const {
 }
 
 std::vector<RoughPath> other_ways(const Scene& scene, const ExtremalCurve& free,
-                                   const std::vector<PathInequality>& limits) {
+                                  const std::vector<PathInequality>& limits) {
   constexpr double kSag = 0.25;
   const Line line = line_of(free);
   std::vector<RoughPath> out;

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "brachisto/math/index.hpp"
 #include "model/loosened_limits.hpp"
 #include "model/scene_coordinate.hpp"
+#include "refinement/arc_following.hpp"
 #include "refinement/arc_search.hpp"
 #include "refinement/arcs_from_mesh.hpp"
 #include "refinement/open_conditions.hpp"
@@ -44,23 +46,24 @@ class LimitedSolve {
         wanted_(wanted),
         limits_(inequalities(scene.body, scene.limits)),
         options_(options),
-        protocol_(options.progress) {}
+        protocol_(options) {}
 
   LimitedRefinement run() {
+    protocol_.most_work = kSearchAsAsked * kMostSearchWork;
     refine(find_arcs());
-    if (!answer_ && !stopped() && protocol_.status != Status::NoFastestTrack) {
-      if (!tried_mesh_) refine(from_mesh());
-      if (!answer_) mesh_ ? take_mesh() : come_from_looser();
-    }
+    if (!answer_ && !tried_mesh_ && !ended()) refine(from_mesh());
+    protocol_.most_work = kSearchLooser * kMostSearchWork;
+    if (!answer_ && !ended()) mesh_ ? take_mesh() : come_from_looser();
     return finished();
   }
-  LimitedRefinement run_beside(const FittedPath& neighbour) {
+  LimitedRefinement run_beside(const FittedPath& neighbour, double most_work) {
+    protocol_.most_work = most_work;
     const Scene from = neighbour.curve.problem().scene();
     const LimitRelaxation way(neighbour.curve.problem().limits(), limits_);
     const auto stage_at = [&](double share) {
       return Stage{way.at(share), between(from, scene_, share)};
     };
-    Followed way_here = follow(neighbour, stage_at, {.first = 1.0});
+    Followed way_here = followed_by(neighbour, stage_at, {.first = 1.0});
     if (way_here.arrived()) refine(std::move(way_here.path));
     return finished();
   }
@@ -78,8 +81,16 @@ class LimitedSolve {
           "is followed on one side alone",
           field_kind(scene_.world)->surface);
     }
-    return {std::move(protocol_).finished(), std::move(answer_),
-            std::move(blocking), std::move(loosened_)};
+    const double work = protocol_.work;
+    if (protocol_.worked_enough()) {
+      tried_.emplace_back("until all the work of a search was done");
+    }
+    return {std::move(protocol_).finished(),
+            std::move(answer_),
+            std::move(blocking),
+            std::move(loosened_),
+            work,
+            std::move(tried_)};
   }
 
   /// Whether the best path that was found does.
@@ -94,11 +105,9 @@ class LimitedSolve {
     const PhaseTimer timer(Phase::Start);
     const bool tightened = tightening_->tighten();
     std::optional<FittedPath> path;
-    if (tightened) path = read_off();
-    const auto settled = [&] {
-      return path || mesh_ || stopped() ||
-             protocol_.status == Status::NoFastestTrack;
-    };
+    // Arcs that are not found must leave the mesh a chance.
+    if (tightened) path = with_share(0.5, [&] { return read_off(); });
+    const auto settled = [&] { return path || mesh_ || ended(); };
     if (settled() || protocol_.status == Status::NoAdmissiblePath) return path;
     if (tightening_->is_shut()) return path;
     Status status = protocol_.status;
@@ -121,18 +130,29 @@ class LimitedSolve {
       status = protocol_.status;
       message = protocol_.message;
     }
-    while (!settled() && tightening_->tighten_elsewhere()) {
+    while (!settled() && goes_elsewhere()) {
       path = read_off();
       if (!settled()) path = bracketed();
     }
-    if (!settled()) protocol_.fail(status, message);  // of the first attempt
+    const bool said = path || protocol_.status == Status::NoFastestTrack;
+    if (!said && !protocol_.stop.met()) {
+      protocol_.fail(status, message);  // of the first attempt
+    }
     return path;
   }
 
   /// Where the contact at B could not be followed.
   [[nodiscard]] std::optional<FittedPath> bracketed() {
-    if (!end_is_sought(scene_) || !tightening_->bracket_contact()) return {};
+    if (!end_is_sought(scene_)) return {};
+    tried_.emplace_back(
+        "with the slope at B held at one value after the other");
+    if (!tightening_->bracket_contact()) return {};
     return read_off();
+  }
+  [[nodiscard]] bool goes_elsewhere() {
+    if (!tightening_->tighten_elsewhere()) return false;
+    tried_.emplace_back("from a path that leads elsewhere");
+    return true;
   }
 
   /// What the program finds next to a path that keeps looser limits.
@@ -141,101 +161,55 @@ class LimitedSolve {
     return read_off();
   }
 
+  /// What is found is made exact, whatever the search took.
   void refine(std::optional<FittedPath> path) {
     if (!path) return;
+    const double most_work = std::exchange(
+        protocol_.most_work, std::numeric_limits<double>::infinity());
     auto found = refined(*std::move(path), wanted_, arcs_, protocol_);
     if (found) answer_ = std::move(found);
+    protocol_.most_work = most_work;
   }
-
-  [[nodiscard]] bool stopped() const { return options_.ipopt.stop.met(); }
+  [[nodiscard]] bool stopped() const { return protocol_.stopped(); }
+  /// What is found with no more than a share of the work that is left.
+  [[nodiscard]] std::optional<FittedPath> with_share(
+      double share, const std::function<std::optional<FittedPath>()>& find) {
+    const double most_work = protocol_.most_work;
+    if (std::isfinite(most_work)) {
+      protocol_.most_work -= (1.0 - share) * (most_work - protocol_.work);
+    }
+    auto found = find();
+    protocol_.most_work = most_work;
+    return found;
+  }
+  /// Whether nothing else is to be tried.
+  [[nodiscard]] bool ended() const {
+    return stopped() || protocol_.status == Status::NoFastestTrack;
+  }
 
   // ---- Arcs.
 
   /// From what the interior-point method found.
   [[nodiscard]] std::optional<FittedPath> read_off() {
     auto path = arcs_from(tightening_->last());
-    const bool none = stopped() || protocol_.status == Status::NoFastestTrack;
-    if (!path && !none && tightening_->solve_finer()) {
+    if (!path && !ended() && tightening_->solve_finer()) {
       path = arcs_from(tightening_->last());
     }
     return path;
   }
   [[nodiscard]] std::optional<FittedPath> arcs_from(const LimitedCurve& mesh) {
-    return brachisto::arcs_from(mesh, kArcDegree, arcs_, protocol_,
-                                options_.ipopt.stop);
+    return brachisto::arcs_from(mesh, kArcDegree, arcs_, protocol_);
   }
 
-  /// Of Newton's method on arcs, along one way: those that lead anywhere take a
+  /// Steps of Newton's method along one way: those that lead anywhere take a
   /// few hundred. Fewer where there is an answer already.
   static constexpr int kMostFollowingSteps = 800, kFewFollowingSteps = 100;
-  [[nodiscard]] int newton_steps() const {
-    int steps = protocol_.record.newton_steps;
-    for (const MeshRecord& mesh : protocol_.meshes) steps += mesh.newton_steps;
-    return steps;
-  }
-
-  /// A scene on the way, and its limits.
-  struct Stage {
-    std::vector<PathInequality> limits;
-    std::optional<Scene> scene = {};  ///< nothing: that of the path
-  };
-
-  /// The path that is solved for next to another one.
-  [[nodiscard]] std::optional<FittedPath> fit_beside(const FittedPath& path,
-                                                     Stage stage) {
-    PathSetting setting{std::move(stage.limits), path.arcs, path.ends};
-    if (!stage.scene) {
-      return arcs_.fit_corrected(path.curve, std::move(setting), kArcDegree);
-    }
-    PathSystem there(*stage.scene, setting, kArcDegree);
-    if (!there.move_to(setting, prolong(path.curve, there.problem()))) {
-      return std::nullopt;
-    }
-    return arcs_.fit_corrected(there.curve(), std::move(setting), kArcDegree);
-  }
-
-  /// Of the way from one scene to another: shares of it.
-  struct Steps {
-    double first, largest = 0.2, smallest = 1e-3;
-  };
-  /// The last path that was found on a way, and where on it.
-  struct Followed {
-    std::optional<FittedPath> path;
-    double share = 0.0;
-    [[nodiscard]] bool arrived() const { return path && share == 1.0; }
-  };
-
-  /// With arcs corrected and contacts closed at every step.
-  [[nodiscard]] Followed follow(
+  [[nodiscard]] Followed followed_by(
       std::optional<FittedPath> path,
-      const std::function<Stage(double share)>& stage_at, Steps steps) {
-    const PhaseTimer timer(Phase::Start);
-    Followed reached{std::move(path)};
-    double step = steps.first;
-    const int most =
-        newton_steps() + (mesh_ ? kFewFollowingSteps : kMostFollowingSteps);
-    while (reached.path && reached.share < 1.0) {
-      if (newton_steps() > most) {
-        protocol_.fail(Status::NotConverged,
-                       "arcs were not followed to the limits in many steps");
-        break;
-      }
-      const double share = std::min(1.0, reached.share + step);
-      auto next = fit_beside(*reached.path, stage_at(share));
-      if (stopped()) break;
-      if (next) {
-        reached = {std::move(next), share};
-        step = std::min(steps.largest, 1.5 * step);
-      } else {
-        step *= 0.4;
-        if (step < steps.smallest) {
-          protocol_.fail(Status::NotConverged,
-                         "arcs were lost on the way to the limits");
-          break;
-        }
-      }
-    }
-    return reached;
+      const std::function<Stage(double share)>& stage_at, WaySteps steps) {
+    return follow(std::move(path), stage_at, steps, kArcDegree,
+                  mesh_ ? kFewFollowingSteps : kMostFollowingSteps, arcs_,
+                  protocol_);
   }
 
   /// How far follow_from_loosest() came.
@@ -255,9 +229,10 @@ class LimitedSolve {
   /// From the loosest limits.
   [[nodiscard]] std::optional<FittedPath> follow_from_loosest() {
     const LimitRelaxation& relaxation = tightening_->relaxation();
+    tried_.emplace_back("from limits that the free path keeps");
     if (!tightening_->solve_loosest()) return std::nullopt;
     const LimitedCurve loosest = tightening_->last();
-    Followed way = follow(
+    Followed way = followed_by(
         arcs_.fit_corrected(
             loosest,
             {relaxation.at(0.0), arcs_of(loosest), loosest.problem().ends()},
@@ -276,6 +251,7 @@ class LimitedSolve {
   [[nodiscard]] std::optional<FittedPath> from_mesh() {
     tried_mesh_ = true;
     if (!tightening_->tight() || wanted_.fixed()) return {};
+    tried_.emplace_back("on meshes that know no arcs");
     mesh_ = solve_without_arcs(
         *tightening_->tight(),
         wanted_.tolerance.value_or(kToleranceWithoutArcs), left(), protocol_);
@@ -290,9 +266,12 @@ class LimitedSolve {
   // ---- From limits that ask for less, each step an answer to them.
 
   void come_from_looser() {
-    for (const double by : {0.05, 0.2, 0.6}) {
-      std::optional<FittedPath> path = path_under(loosened(scene_, by));
-      if (path) return tighten(std::move(*path), by);
+    tried_.emplace_back("from looser limits");
+    double share = 0.25;  // of the work, for each of them
+    for (const double by : {0.05, 0.2, 0.6, 1.0}) {
+      auto path = path_under(by, nullptr, share);
+      share /= 1.0 - share;
+      if (path) return tighten(*std::move(path));
       if (stopped()) return;
     }
   }
@@ -307,45 +286,51 @@ class LimitedSolve {
     return ipopt;
   }
   /// With those too, perhaps from a path under other limits.
-  [[nodiscard]] std::optional<FittedPath> path_under(
-      const Scene& looser, const FittedPath* nearby = nullptr) {
+  [[nodiscard]] std::optional<LoosenedPath> path_under(
+      double by, const FittedPath* nearby = nullptr, double share = 0.5) {
     const PhaseTimer timer(Phase::Start);
     MeshOptions options = options_;
     options.ipopt = left();
     if (options.ipopt.max_iterations <= 0) return std::nullopt;
+    const Scene looser = loosened(scene_, by);
     LimitedSolve solve(looser, wanted_, *free_, phi_, options);
+    solve.protocol_.most_work = share * (protocol_.most_work - protocol_.work);
     std::optional<FittedPath> path;
-    if (solve.tightening_->is_shut()) return path;
+    if (solve.tightening_->is_shut()) return std::nullopt;
     if (nearby != nullptr) {
       path = solve.from_nearby(*nearby);
     } else if (solve.tightening_->tighten()) {
       path = solve.read_off();
     }
+    if (!path && !solve.ended()) path = solve.from_mesh();
     RefinementProtocol done = std::move(solve.protocol_).finished();
     std::ranges::move(done.meshes, std::back_inserter(protocol_.meshes));
     protocol_.log += done.log;
-    return path;
+    protocol_.work += solve.protocol_.work;
+    if (path) return LoosenedPath{{*std::move(path), {}}, by};
+    if (!solve.mesh_) return std::nullopt;
+    return LoosenedPath{{solve.mesh_->path, solve.mesh_->estimated_error}, by};
   }
 
   /// To the limits of the scene, or else the tightest are kept, with the reason
   /// of the first attempt. Where arcs cannot be followed further the program is
   /// solved from there, under those limits or others half-way to them, until
   /// what is left of the way is nothing that anyone would ask for.
-  void tighten(FittedPath path, double by) {
-    constexpr double kShortest = 0.2, kNothing = 1e-3;
+  void tighten(LoosenedPath path) {
+    constexpr double kShortest = 0.1, kNothing = 1e-3;
     const Status status = protocol_.status;
     const std::string message = protocol_.message;
-    loosened_.push_back({by, std::move(path)});
+    loosened_.push_back(std::move(path));
     follow_tighter();
     for (double leap = 1.0; leap > kShortest && !stopped();) {
       const LoosenedPath reached = loosened_.back();
       if (reached.by == 0.0) refine(reached.path);
       if (reached.by < kNothing || status == Status::NoSmoothContact) break;
       const double next = reached.by * (1.0 - leap);
-      auto there = path_under(loosened(scene_, next), &reached.path);
-      if (!there && next > 0.0) there = path_under(loosened(scene_, next));
+      auto there = path_under(next, &reached.path);
+      if (!there && next > 0.0) there = path_under(next);
       if (there) {
-        loosened_.push_back({next, *std::move(there)});
+        loosened_.push_back(*std::move(there));
         follow_tighter();
       } else {
         leap *= 0.5;
@@ -356,15 +341,16 @@ class LimitedSolve {
   }
   void follow_tighter() {
     const LoosenedPath from = loosened_.back();
+    if (!from.knows_arcs()) return;
     const auto left = [&](double share) { return from.by * (1.0 - share); };
     const auto stage_at = [&](double share) {
       const Scene scene = loosened(scene_, left(share));
       return Stage{inequalities(scene.body, scene.limits), scene};
     };
-    Followed way = follow(from.path, stage_at,
-                          {.first = 0.5, .largest = 1.0, .smallest = 0.01});
+    Followed way = followed_by(
+        from.path, stage_at, {.first = 0.5, .largest = 1.0, .smallest = 0.01});
     if (way.share > 0.0) {
-      loosened_.push_back({left(way.share), *std::move(way.path)});
+      loosened_.push_back({{*std::move(way.path), {}}, left(way.share)});
     }
   }
 
@@ -380,6 +366,7 @@ class LimitedSolve {
   std::optional<LimitedAnswer> answer_;
   std::vector<LoosenedPath> loosened_;
   bool tried_mesh_ = false;
+  std::vector<std::string> tried_{"from the free path"};
   std::optional<PathWithoutArcs> mesh_;
   double reached_ = 0.0;  ///< share of the way from the loosest limits
 };
@@ -395,7 +382,7 @@ LimitedRefinement refine_limited(const Scene& scene,
 
 std::optional<LimitedRefinement> refine_limited_beside(
     const Scene& scene, const Discretisation& wanted,
-    const FittedPath& neighbour, MeshOptions options) {
+    const FittedPath& neighbour, MeshOptions options, double most_work) {
   const auto alike = [](const PathInequality& a, const PathInequality& b) {
     const auto follows = [](double from, double to) {
       return from == to || (std::isfinite(from) && std::isfinite(to));
@@ -410,7 +397,7 @@ std::optional<LimitedRefinement> refine_limited_beside(
                           inequalities(scene.body, scene.limits), alike)) {
     return std::nullopt;
   }
-  return LimitedSolve(scene, wanted, options).run_beside(neighbour);
+  return LimitedSolve(scene, wanted, options).run_beside(neighbour, most_work);
 }
 
 }  // namespace brachisto

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "refinement/arc_accuracy.hpp"
@@ -15,10 +16,18 @@
 
 namespace brachisto {
 
+/// What all searches for one answer may take together, in steps of solvers
+/// times the equations that each of them solves: about ten seconds on one core.
+inline constexpr double kMostSearchWork = 4e6;
+/// The shares of it after which the limits asked for are given up, and looser
+/// ones; the rest is for making these exact.
+inline constexpr double kSearchAsAsked = 0.6, kSearchLooser = 0.95;
+
 /// A path under loosened_limits() of a scene.
-struct LoosenedPath {
+struct LoosenedPath : LimitedAnswer {
   double by;  ///< at 0 its digits were not found
-  FittedPath path;
+  /// Else the estimated error is not known yet.
+  [[nodiscard]] bool knows_arcs() const { return !path.arcs.empty(); }
 };
 
 /// Outcome of refine_limited().
@@ -27,6 +36,8 @@ struct LimitedRefinement : RefinementProtocol {
   std::optional<BlockingLimit> blocking;  ///< if limits were not kept
   /// Without an answer: under tighter and tighter limits.
   std::vector<LoosenedPath> loosened;
+  double work = 0.0;               ///< see kMostSearchWork
+  std::vector<std::string> tried;  ///< ways, in words; the last may be an end
 };
 
 /// In stages.
@@ -63,8 +74,10 @@ struct LimitedRefinement : RefinementProtocol {
 /// there.
 ///
 /// \param neighbour  of a scene in natural units
+/// \param most_work  see kMostSearchWork
 [[nodiscard]] std::optional<LimitedRefinement> refine_limited_beside(
     const Scene& scene, const Discretisation& wanted,
-    const FittedPath& neighbour, MeshOptions options);
+    const FittedPath& neighbour, MeshOptions options,
+    double most_work = kMostSearchWork);
 
 }  // namespace brachisto

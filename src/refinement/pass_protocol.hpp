@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -21,8 +22,14 @@ namespace brachisto {
 struct PassProtocol : RefinementProtocol {
   MeshRecord record;      ///< of the passes since the last one was kept
   ProgressHook progress;  ///< may be empty
+  /// Steps of solvers, each times the equations that it solves, and how much of
+  /// that a search may take: unlike a limit of time, the same on all machines.
+  double work = 0.0, most_work = std::numeric_limits<double>::infinity();
 
-  explicit PassProtocol(ProgressHook hook) : progress(std::move(hook)) {}
+  StopCondition stop;
+
+  explicit PassProtocol(const MeshOptions& options)
+      : progress(options.progress), stop(options.ipopt.stop) {}
 
   /// \return false, for callers that tell so whether they found anything
   bool fail(Status why, std::string text) {
@@ -30,8 +37,22 @@ struct PassProtocol : RefinementProtocol {
     message = std::move(text);
     return false;
   }
+  /// Whether a search has to end with what it has.
+  [[nodiscard]] bool stopped() const { return stop.met() || worked_enough(); }
+  [[nodiscard]] bool worked_enough() const { return work >= most_work; }
+  void book(int steps, const nlp::Problem& problem) {
+    work += static_cast<double>(steps) *
+            (problem.num_variables() + problem.num_constraints());
+  }
+  /// Of Newton's method, in all passes.
+  [[nodiscard]] int newton_steps() const {
+    int steps = record.newton_steps;
+    for (const MeshRecord& mesh : meshes) steps += mesh.newton_steps;
+    return steps;
+  }
   /// Adds a pass of Ipopt.
-  void add(const SolverResult& result) {
+  void add(const SolverResult& result, const nlp::Problem& problem) {
+    book(result.iterations, problem);
     record.iterations += result.iterations;
     ++record.passes;
     record.linear_solver = result.linear_solver;

@@ -72,7 +72,7 @@ SolverResult Tightening::run(nlp::Problem& problem, const PrimalDual& start,
   ipopt.max_iterations = std::min(budget_, kMostIterations);
   SolverResult result = solve_with_ipopt(problem, start, ipopt);
   budget_ = std::max(0, budget_ - result.iterations);
-  protocol_.add(result);
+  protocol_.add(result, problem);
   if (result.status == Status::IterationLimit && budget_ > 0) {
     // Of one of many passes, not of the user.
     result.status = Status::NotConverged;
@@ -205,7 +205,7 @@ bool Tightening::keep_limits(const LimitedEnds& ends) {
   for (double price = 1.0; price <= kHighestPrice; price *= 10.0) {
     const bool solved = solve_elastic(ends, price);
     if (solved && given_way_ <= kNone) return true;
-    if (ipopt_.stop.met() || budget_ == 0) return false;
+    if (protocol_.stopped() || budget_ == 0) return false;
     if (!solved && price > 1.0) return false;
     if (solved && before && given_way_ > kSame * *before) {
       give_way_for_good_ = true;
@@ -222,7 +222,7 @@ bool Tightening::tighten() {
   if (!keep_limits(*first)) {
     // Other slopes may let the path keep what these do not.
     const bool sought = end_is_sought(scene_);
-    if (!(sought || start_is_sought(scene_, *first)) || ipopt_.stop.met() ||
+    if (!(sought || start_is_sought(scene_, *first)) || protocol_.stopped() ||
         !last_) {
       return none_found();
     }
@@ -251,7 +251,7 @@ bool Tightening::tighten() {
   }
   const auto ends = next_ends(limits_);
   if (!ends) return none_at_rest();
-  if (!solve_rigid(limits_, mesh_, *ends) && ipopt_.stop.met()) return false;
+  if (!solve_rigid(limits_, mesh_, *ends) && protocol_.stopped()) return false;
   tight_ = last_;
   // What failed on the way did so for its price alone.
   protocol_.status = Status::NotConverged;
@@ -279,7 +279,7 @@ bool Tightening::tighten_elsewhere() {
   }
   // What is left serves limits that ask for less.
   while (!other_ways_->empty() && 2 * budget_ > ipopt_.max_iterations &&
-         !ipopt_.stop.met()) {
+         !protocol_.stopped()) {
     RoughPath way = std::move(other_ways_->back());
     other_ways_->pop_back();
     if (tighten_from(std::move(way))) return true;
@@ -333,7 +333,7 @@ std::vector<LimitedCurve> Tightening::contacts_along() {
         if (close_in(*before, here)) out.push_back(*last_);
         last_ = there;
       }
-      return !ipopt_.stop.met() && budget_ > 0;
+      return !protocol_.stopped() && budget_ > 0;
     });
   }
   return out;
@@ -365,7 +365,7 @@ bool Tightening::keep_limits_elsewhere(const LimitedEnds& ends) {
   for (double off = kStep; off < 2.0 * kSteepest; off += kStep) {
     for (const double phi : {ends.phi + off, ends.phi - off}) {
       if (std::abs(phi) > kSteepest || !end_is_open(phi)) continue;
-      if (ipopt_.stop.met() || budget_ == 0) return false;
+      if (protocol_.stopped() || budget_ == 0) return false;
       LimitedEnds held = ends;
       held.phi = phi;
       if (keep_limits(held)) return true;
@@ -411,7 +411,7 @@ bool Tightening::bracket_contact() {
       return !closed;
     });
     if (closed) return *closed;
-    if (ipopt_.stop.met()) return false;
+    if (protocol_.stopped()) return false;
   }
   if (highest - lowest < 2.0 * kEndStep) return false;
   return protocol_.fail(

@@ -128,7 +128,7 @@ class WithoutArcs {
       ends = moved(ends_, step);
       if (!solve(problem_on(mesh, *ends), true)) {
         largest = 0.3 * step.cwiseAbs().maxCoeff();
-        if (largest < kSmallestStep || ipopt_.stop.met()) return false;
+        if (largest < kSmallestStep || protocol_.stopped()) return false;
         continue;
       }
       ends_ = *ends;
@@ -160,11 +160,11 @@ class WithoutArcs {
   /// \param near  the last path is one of a scene next to this one
   [[nodiscard]] bool solve(LimitedTime problem, bool near) {
     constexpr double kComplementarity = 1e-13;
-    if (ipopt_.stop.met()) return false;
+    if (protocol_.stopped()) return false;
     PrimalDual start = near ? curve_.point() : prolong(curve_, problem);
     if (near && polish(problem, start)) return true;
     SolverResult result = run(problem, start, kComplementarity);
-    if (result.status != Status::Solved && !ipopt_.stop.met()) {
+    if (result.status != Status::Solved && !protocol_.stopped()) {
       if (!give_way(problem, start)) return false;
       result = run(problem, start, kComplementarity);
     }
@@ -187,7 +187,7 @@ class WithoutArcs {
     ipopt.max_iterations = std::min(ipopt_.max_iterations, kMostIterations);
     SolverResult result = solve_with_ipopt(problem, start, ipopt);
     ipopt_.max_iterations -= result.iterations;
-    protocol_.add(result);
+    protocol_.add(result, problem);
     return result;
   }
   /// Moves a start to where limits that give way at a price are kept.
@@ -220,6 +220,7 @@ class WithoutArcs {
     newton.stop = ipopt_.stop;
     NewtonResult result = solve_with_newton(problem, start, newton);
     protocol_.record.newton_steps += result.iterations;
+    protocol_.book(result.iterations, problem);
     if (result.status != Status::Solved || !result.active_set_holds) {
       return false;
     }

@@ -17,6 +17,9 @@ namespace brachisto {
 /// is stated: at junctions, which lie within elements, its program has order
 /// one or two.
 inline constexpr double kToleranceWithoutArcs = 1e-4;
+inline constexpr const char* kSolvedWithoutArcs =
+    "solved under limits on a mesh that knows no arcs; where limits begin and "
+    "cease to hold was not found";
 
 /// Whether limits are equations along known arcs; else they are inequalities.
 [[nodiscard]] inline bool arcs_are_known(const LimitedCurve& curve) {

@@ -94,7 +94,9 @@ class LimitedPaths {
                                 out_.paths.size()));
     }
     ++out_.starts;
-    PassProtocol protocol({});
+    MeshOptions quiet = options_;
+    quiet.progress = {};
+    PassProtocol protocol(quiet);
     const ContactCandidate& beside = free_[extremal];
     Tightening tightening(scene_, beside.curve, beside.phi, options_.ipopt,
                           protocol);

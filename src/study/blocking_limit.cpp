@@ -4,6 +4,7 @@
 #include "study/blocking_limit.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -75,17 +76,7 @@ std::string advice(const Scene& scene, const StatedLimit& limit,
   return out;
 }
 
-}  // namespace
-
-std::string looser_limits(const Scene& asked) {
-  const std::vector<StatedLimit> limits = stated_limits(asked);
-  if (limits.empty()) return {};
-  const auto friction =
-      std::ranges::find(limits, "friction", &StatedLimit::name);
-  const bool of_friction = friction != limits.end();
-  return advice(asked, of_friction ? *friction : limits.front(), of_friction);
-}
-
+/// "; the tightest is friction: …".
 std::string in_words(const PosedProblem& posed, const BlockingLimit& blocking) {
   const LimitedMotion motion(blocking.nearest, posed.asked, posed.units);
   const std::vector<StatedLimit> limits = stated_limits(posed.asked);
@@ -111,6 +102,35 @@ std::string in_words(const PosedProblem& posed, const BlockingLimit& blocking) {
                     -miss.slack, unit.empty() ? "" : " ", unit);
   }
   return text + ". To try: " + advice(posed.asked, limit, of_friction);
+}
+
+}  // namespace
+
+std::string looser_limits(const Scene& asked) {
+  const std::vector<StatedLimit> limits = stated_limits(asked);
+  if (limits.empty()) return {};
+  const auto friction =
+      std::ranges::find(limits, "friction", &StatedLimit::name);
+  const bool of_friction = friction != limits.end();
+  return advice(asked, of_friction ? *friction : limits.front(), of_friction);
+}
+
+std::string advice_without_answer(const PosedProblem& posed,
+                                  const LimitedRefinement& refinement) {
+  std::string text;
+  if (refinement.blocking) {
+    text = in_words(posed, *refinement.blocking);
+  } else if (refinement.status == Status::NotConverged ||
+             refinement.status == Status::NoAdmissiblePath) {
+    const std::string looser = looser_limits(posed.asked);
+    if (!looser.empty()) text = ". To try: " + looser;
+  }
+  if (refinement.status != Status::NotConverged &&
+      refinement.status != Status::Infeasible) {
+    return text;
+  }
+  return text + fmt::format(". A path was looked for {}",
+                            fmt::join(refinement.tried, ", "));
 }
 
 }  // namespace brachisto

@@ -8,15 +8,16 @@
 
 #include <string>
 
-#include "refinement/tightening.hpp"
+#include "refinement/limited_refinement.hpp"
 #include "study/pose.hpp"
 
 namespace brachisto {
 
-/// "; the tightest is friction: …": the limit as the scene states it, by how
-/// much the nearest path misses it at the nodes, and what can help.
-[[nodiscard]] std::string in_words(const PosedProblem& posed,
-                                   const BlockingLimit& blocking);
+/// What is to be said of a scene without an answer behind the reason: the limit
+/// that was not kept as the scene states it, by how much the nearest path
+/// misses it at the nodes, what can help, and what was tried.
+[[nodiscard]] std::string advice_without_answer(
+    const PosedProblem& posed, const LimitedRefinement& refinement);
 
 /// What can help a scene whose limits were kept and that was not solved, of the
 /// limit that is the likeliest to be in the way; empty if it has none.

@@ -10,6 +10,7 @@
 
 #include "model/loosened_limits.hpp"
 #include "refinement/arc_elements.hpp"
+#include "refinement/without_arcs.hpp"
 #include "study/blocking_limit.hpp"
 #include "study/certification.hpp"
 #include "study/record.hpp"
@@ -44,12 +45,8 @@ void conclude(const PosedProblem& posed, ArcLengthAnswer& found,
 void record_limited(const PosedProblem& posed,
                     const LimitedRefinement& refinement, Solution& out) {
   record(refinement, out);
-  if (refinement.blocking) {
-    out.message += in_words(posed, *refinement.blocking);
-  } else if (!refinement.answer && (out.status == Status::NotConverged ||
-                                    out.status == Status::NoAdmissiblePath)) {
-    const std::string looser = looser_limits(posed.asked);
-    if (!looser.empty()) out.message += ". To try: " + looser;
+  if (!refinement.answer) {
+    out.message += advice_without_answer(posed, refinement);
   }
 }
 
@@ -63,26 +60,26 @@ void conclude(const PosedProblem& posed, const LimitedRefinement& refinement,
 
 void record_loosened(const PosedProblem& posed,
                      const LimitedRefinement& refinement, Solution& out) {
-  // Where limits can hardly be kept a path may be found and its digits not.
-  constexpr int kMostPaths = 6;
-  for (const LoosenedPath& nearby : refinement.loosened | std::views::reverse |
-                                        std::views::take(kMostPaths)) {
-    for (const double more : {0.0, 0.001, 0.005, 0.02}) {
-      if (posed.stop().met()) return;
+  double work = refinement.work;
+  for (const LoosenedPath& nearby : refinement.loosened | std::views::reverse) {
+    for (const double more : {0.0, 0.001, 0.005, 0.02}) {  // for its digits
+      if (out.relaxed || posed.stop().met() || work >= kMostSearchWork) return;
       const double by = nearby.by + more;
-      if (by == 0.0) continue;  // not verified as asked
+      if (by == 0.0 || (more > 0.0 && !nearby.knows_arcs())) continue;
       const PosedProblem problem = with_scene(posed, loosened(posed.asked, by));
-      auto solution = std::make_shared<const Solution>(
-          within_limits(problem, [&](Solution& tried) {
-            const auto beside = refine_limited_beside(
-                *problem.limited, problem.program.discretisation, nearby.path,
-                problem.mesh_options_after(tried.effort));
-            if (beside) conclude(problem, *beside, tried);
-          }));
-      out.effort += solution->effort;
-      if (!solution->verified()) continue;
-      out.relaxed = std::move(solution);
-      return;
+      Solution found = within_limits(problem, [&](Solution& there) {
+        if (!nearby.knows_arcs())
+          return conclude(problem, nearby, kSolvedWithoutArcs, there);
+        const auto beside = refine_limited_beside(
+            *problem.limited, problem.program.discretisation, nearby.path,
+            problem.mesh_options_after(there.effort), kMostSearchWork - work);
+        if (!beside) return;
+        work += beside->work;
+        conclude(problem, *beside, there);
+      });
+      out.effort += found.effort;
+      if (found.verified())
+        out.relaxed = std::make_shared<const Solution>(std::move(found));
     }
   }
 }

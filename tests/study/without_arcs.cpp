@@ -34,7 +34,7 @@ struct Posed {
 
   [[nodiscard]] std::optional<PathWithoutArcs> without_arcs() const {
     const MeshOptions options = problem.mesh_options_after({});
-    PassProtocol protocol({});
+    PassProtocol protocol(options);
     Tightening tightening(*problem.limited, *start.curve, start.phi,
                           options.ipopt, protocol);
     if (!tightening.tighten()) return std::nullopt;

@@ -60,7 +60,8 @@ struct Referee {
   [[nodiscard]] std::optional<Reference> reference_in(
       const Measurement& run) const;
 };
-/// A reference, or why there is none: "the extremal method failed: …".
+/// A reference, and why those who were asked before have none: "the extremal
+/// method failed: …".
 struct FoundReference {
   std::optional<Reference> reference = {};
   std::string why_not = {};

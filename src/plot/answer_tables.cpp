@@ -53,7 +53,7 @@ Part part_of(std::string_view key) {
        " tau transit_time centre_path_length rail_length start_angle end_angle "
        "rotation normal_force friction grip curvature at_start fold_margin "
        "estimated_error "},
-      {Part::Limits, " limits "},
+      {Part::Limits, " limits structure "},
       {Part::Sensitivities, " sensitivities "},
       {Part::Certificate, " certificate "},
       {Part::Origin, " provenance scene input "}};

@@ -49,10 +49,9 @@ constexpr CheckText kTexts[] = {
     {"reintegrated_time",
      "the body let go on this track, integrated in time: its time"},
     {"reintegration_error", "the same: its arrival, speed and rotation"},
-    CheckText{
-        "agreement",
-        "the same scene with polynomials of a higher degree: the relative "
-        "difference of T"},
+    {"agreement",
+     "the same scene with polynomials of a higher degree: the relative "
+     "difference of T"},
     {"extremal",
      "the same scene by multiple shooting, a method that shares only "
      "the physics: the relative difference of T"},

@@ -14,8 +14,7 @@ namespace brachisto::proof {
 
 namespace {
 
-constexpr int kBits = 80;  // intervals of slopes are wide
-constexpr int kMostPieces = 64;
+constexpr int kBits = 80;      // intervals of slopes are wide
 constexpr int kMostParts = 8;  // of a sector
 
 }  // namespace
@@ -82,6 +81,7 @@ void ExcessAlong::look(const Step& step, const Real& from, const Real& to,
         fmt::format("the slope β {:+.3f} costs less near u = {:.4f}", off,
                     step.begin + middle.near());
   }
+  constexpr int kMostPieces = 64;
   if (2 * pieces > kMostPieces) {
     for (std::size_t i = 0; i < left.size(); ++i) {
       missing_[i] = missing_[i] || left[i];

@@ -60,7 +60,7 @@ std::optional<FittedPath> ArcSearch::fit_corrected(LimitedCurve nearby,
     }
     note(i == 0 ? "arcs tried" : "corrected to", setting);
     ArcFit found = fit(nearby, setting, degree);
-    if (protocol_.stopped()) return std::nullopt;
+    if (protocol_.stop.met()) return std::nullopt;
     const bool fitted = found.path.has_value();
     if (fitted) {
       last = std::move(found.path);
@@ -73,6 +73,10 @@ std::optional<FittedPath> ArcSearch::fit_corrected(LimitedCurve nearby,
     if (fitted) {
       other = corrected(last->curve, last->arcs, takeover);
       if (!other) return last;
+    }
+    if (protocol_.worked_enough()) {
+      protocol_.fail(Status::NotConverged, "the work for it was done");
+      return std::nullopt;
     }
     const bool again =
         other && std::ranges::any_of(tried, [&](const std::vector<Arc>& arcs) {

@@ -16,7 +16,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double between(double loose, double wanted, double share, bool geometric) {
-  if (!std::isfinite(wanted) || loose == wanted) return wanted;
+  if (!std::isfinite(wanted) || loose == wanted || share == 1.0) return wanted;
   return geometric ? loose * std::pow(wanted / loose, share)
                    : loose + share * (wanted - loose);
 }

@@ -50,10 +50,18 @@ class LimitedSolve {
 
   LimitedRefinement run() {
     protocol_.most_work = kSearchAsAsked * kMostSearchWork;
+    tries("from the free path");
     refine(find_arcs());
     if (!answer_ && !tried_mesh_ && !ended()) refine(from_mesh());
-    protocol_.most_work = kSearchLooser * kMostSearchWork;
-    if (!answer_ && !ended()) mesh_ ? take_mesh() : come_from_looser();
+    const bool none = protocol_.status == Status::NoFastestTrack;
+    if (answer_ || none || protocol_.stop.met()) return finished();
+    if (mesh_) {
+      take_mesh();
+    } else {
+      if (protocol_.worked_enough()) tries("until the work for it was done");
+      protocol_.most_work = kSearchLooser * kMostSearchWork;
+      come_from_looser();
+    }
     return finished();
   }
   LimitedRefinement run_beside(const FittedPath& neighbour, double most_work) {
@@ -83,7 +91,7 @@ class LimitedSolve {
     }
     const double work = protocol_.work;
     if (protocol_.worked_enough()) {
-      tried_.emplace_back("until all the work of a search was done");
+      tries("until all the work of a search was done");
     }
     return {std::move(protocol_).finished(),
             std::move(answer_),
@@ -109,17 +117,9 @@ class LimitedSolve {
     if (tightened) path = with_share(0.5, [&] { return read_off(); });
     const auto settled = [&] { return path || mesh_ || ended(); };
     if (settled() || protocol_.status == Status::NoAdmissiblePath) return path;
-    if (tightening_->is_shut()) return path;
+    if (!tightened && tightening_->is_shut()) return path;
     Status status = protocol_.status;
-    std::string message =
-        tightened
-            ? fmt::format(
-                  "a path on a coarse mesh keeps the limits, with τ "
-                  "about {:.4g}, but where they begin and cease to "
-                  "hold was not found: {}",
-                  tightening_->last().transit_time() / std::sqrt(scene_.H),
-                  protocol_.message)
-            : protocol_.message;
+    std::string message = tightened ? only_on_coarse_mesh() : protocol_.message;
     if (tightened) path = from_mesh();
     if (!settled() && (tightened || status != Status::Infeasible)) {
       path = follow_from_loosest();
@@ -135,24 +135,33 @@ class LimitedSolve {
       if (!settled()) path = bracketed();
     }
     const bool said = path || protocol_.status == Status::NoFastestTrack;
+    if (!tightened && tightening_->tight()) {
+      status = Status::NotConverged;
+      message = only_on_coarse_mesh();
+    }
     if (!said && !protocol_.stop.met()) {
-      protocol_.fail(status, message);  // of the first attempt
+      protocol_.fail(status, message);  // of the first attempt that has one
     }
     return path;
+  }
+  [[nodiscard]] std::string only_on_coarse_mesh() const {
+    return fmt::format(
+        "a path on a coarse mesh keeps the limits, with τ about {:.4g}, but "
+        "where they begin and cease to hold was not found: {}",
+        tightening_->tight()->transit_time() / std::sqrt(scene_.H),
+        protocol_.message);
   }
 
   /// Where the contact at B could not be followed.
   [[nodiscard]] std::optional<FittedPath> bracketed() {
     if (!end_is_sought(scene_)) return {};
-    tried_.emplace_back(
-        "with the slope at B held at one value after the other");
+    tries("with the slope at B held at one value after the other");
     if (!tightening_->bracket_contact()) return {};
     return read_off();
   }
   [[nodiscard]] bool goes_elsewhere() {
-    if (!tightening_->tighten_elsewhere()) return false;
-    tried_.emplace_back("from a path that leads elsewhere");
-    return true;
+    tries("from paths that lead elsewhere");
+    return tightening_->tighten_elsewhere();
   }
 
   /// What the program finds next to a path that keeps looser limits.
@@ -169,6 +178,11 @@ class LimitedSolve {
     auto found = refined(*std::move(path), wanted_, arcs_, protocol_);
     if (found) answer_ = std::move(found);
     protocol_.most_work = most_work;
+  }
+  void tries(const char* way) {
+    if (std::ranges::find(tried_, way) == tried_.end()) {
+      tried_.emplace_back(way);
+    }
   }
   [[nodiscard]] bool stopped() const { return protocol_.stopped(); }
   /// What is found with no more than a share of the work that is left.
@@ -229,7 +243,7 @@ class LimitedSolve {
   /// From the loosest limits.
   [[nodiscard]] std::optional<FittedPath> follow_from_loosest() {
     const LimitRelaxation& relaxation = tightening_->relaxation();
-    tried_.emplace_back("from limits that the free path keeps");
+    tries("from limits that the free path keeps");
     if (!tightening_->solve_loosest()) return std::nullopt;
     const LimitedCurve loosest = tightening_->last();
     Followed way = followed_by(
@@ -251,7 +265,7 @@ class LimitedSolve {
   [[nodiscard]] std::optional<FittedPath> from_mesh() {
     tried_mesh_ = true;
     if (!tightening_->tight() || wanted_.fixed()) return {};
-    tried_.emplace_back("on meshes that know no arcs");
+    tries("on meshes that know no arcs");
     mesh_ = solve_without_arcs(
         *tightening_->tight(),
         wanted_.tolerance.value_or(kToleranceWithoutArcs), left(), protocol_);
@@ -266,7 +280,7 @@ class LimitedSolve {
   // ---- From limits that ask for less, each step an answer to them.
 
   void come_from_looser() {
-    tried_.emplace_back("from looser limits");
+    tries("from looser limits");
     double share = 0.25;  // of the work, for each of them
     for (const double by : {0.05, 0.2, 0.6, 1.0}) {
       auto path = path_under(by, nullptr, share);
@@ -324,7 +338,7 @@ class LimitedSolve {
     follow_tighter();
     for (double leap = 1.0; leap > kShortest && !stopped();) {
       const LoosenedPath reached = loosened_.back();
-      if (reached.by == 0.0) refine(reached.path);
+      if (reached.by == 0.0) take(reached);
       if (reached.by < kNothing || status == Status::NoSmoothContact) break;
       const double next = reached.by * (1.0 - leap);
       auto there = path_under(next, &reached.path);
@@ -338,6 +352,15 @@ class LimitedSolve {
     }
     if (answer_) return loosened_.clear();
     protocol_.fail(status, message);
+  }
+  /// What was found under the limits asked for.
+  void take(const LoosenedPath& asked) {
+    if (asked.knows_arcs()) {
+      refine(asked.path);
+    } else {
+      answer_ =
+          answer_without_arcs({asked.path, *asked.estimated_error}, protocol_);
+    }
   }
   void follow_tighter() {
     const LoosenedPath from = loosened_.back();
@@ -366,7 +389,7 @@ class LimitedSolve {
   std::optional<LimitedAnswer> answer_;
   std::vector<LoosenedPath> loosened_;
   bool tried_mesh_ = false;
-  std::vector<std::string> tried_{"from the free path"};
+  std::vector<std::string> tried_;  ///< in words, each once
   std::optional<PathWithoutArcs> mesh_;
   double reached_ = 0.0;  ///< share of the way from the loosest limits
 };

@@ -23,9 +23,6 @@ namespace brachisto {
 
 namespace {
 
-/// Slopes at B that are held lie so far apart and are no steeper [rad].
-constexpr double kEndStep = 0.1, kSteepest = 1.4;
-
 bool winds(const LimitedCurve& curve) {
   constexpr double kTooSteep = 0.999 * std::numbers::pi;
   const VariableLayout& layout = curve.problem().layout();
@@ -205,7 +202,7 @@ bool Tightening::keep_limits(const LimitedEnds& ends) {
   for (double price = 1.0; price <= kHighestPrice; price *= 10.0) {
     const bool solved = solve_elastic(ends, price);
     if (solved && given_way_ <= kNone) return true;
-    if (protocol_.stopped() || budget_ == 0) return false;
+    if (!has_more()) return false;
     if (!solved && price > 1.0) return false;
     if (solved && before && given_way_ > kSame * *before) {
       give_way_for_good_ = true;
@@ -222,8 +219,7 @@ bool Tightening::tighten() {
   if (!keep_limits(*first)) {
     // Other slopes may let the path keep what these do not.
     const bool sought = end_is_sought(scene_);
-    if (!(sought || start_is_sought(scene_, *first)) || protocol_.stopped() ||
-        !last_) {
+    if (!(sought || start_is_sought(scene_, *first)) || !last_) {
       return none_found();
     }
     const bool for_good = give_way_for_good_;
@@ -231,10 +227,11 @@ bool Tightening::tighten() {
     free.free_contacts = sought;
     // Between given ends of the centre a push has the slope at A left.
     free.start_slope_fixed = free.start_slope_fixed && sought;
-    if (!keep_limits(free)) {
+    if (!has_more() || !keep_limits(free)) {
       // Without a bound of humps free slopes may lead nowhere; what the first
-      // ones have shown stands.
-      give_way_for_good_ = give_way_for_good_ || for_good;
+      // ones have shown stands, unless the others were not looked at to the
+      // end.
+      give_way_for_good_ = has_more() && (give_way_for_good_ || for_good);
       return none_found();
     }
     LimitedEnds found = *first;
@@ -303,154 +300,12 @@ bool Tightening::tighten_after(const std::vector<PathInequality>& looser) {
   return solve_anew(looser) && tighten();
 }
 
-bool Tightening::close_contact() {
-  constexpr double kClosed = 1e-4, kLongest = 0.3;
-  constexpr int kMostPasses = 8;
-  if (!end_is_sought(scene_)) return true;
-  end_held_ = true;
-  double slope = -1.0;  // of what is open by φ
-  Held before = held();
-  for (int i = 0; i < kMostPasses; ++i) {
-    if (std::abs(before.open) <= kClosed) return true;
-    const double step = std::clamp(-before.open / slope, -kLongest, kLongest);
-    if (!solve_held(before.phi + step)) return false;
-    const Held here = held();
-    slope = (here.open - before.open) / step;
-    before = here;
-  }
-  return protocol_.fail(Status::NotConverged, "the contact at B stays open");
-}
-
-std::vector<LimitedCurve> Tightening::contacts_along() {
-  std::vector<LimitedCurve> out;
-  if (!end_is_sought(scene_)) return out;
-  const LimitedCurve first = *last_;
-  for (const double direction : {1.0, -1.0}) {
-    last_ = first;
-    turn_end(direction, [&](const auto& before, const Held& here) {
-      if (before && here.beyond(*before)) {
-        const LimitedCurve there = *last_;
-        if (close_in(*before, here)) out.push_back(*last_);
-        last_ = there;
-      }
-      return !protocol_.stopped() && budget_ > 0;
-    });
-  }
-  return out;
-}
-
 bool Tightening::solve_finer() {
   const auto ends = next_ends(limits_);
   if (!ends) return none_at_rest();
   if (!solve_rigid(limits_, finer_at_changes(*last_), *ends)) return false;
   protocol_.keep_record("limits", last_->transit_time());
   return true;
-}
-
-bool Tightening::end_is_open(double phi) const {
-  const Point end = end_of_centre(scene_, phi);
-  return std::ranges::all_of(limits_, [&](const PathInequality& limit) {
-    return limit.bounds_control() ||
-           value_of(limit, ContactForce<double>{},
-                    TurningPoint<double>{end.x, end.z, 0.0, 0.0, phi, 0.0}) >=
-               limit.lower;
-  });
-}
-
-bool Tightening::keep_limits_elsewhere(const LimitedEnds& ends) {
-  constexpr double kStep = 0.3;
-  if (!end_is_sought(scene_) || end_is_open(ends.phi)) return false;
-  if (!blocking_ && !tight_) blocking_ = tightest();
-  last_.reset();
-  for (double off = kStep; off < 2.0 * kSteepest; off += kStep) {
-    for (const double phi : {ends.phi + off, ends.phi - off}) {
-      if (std::abs(phi) > kSteepest || !end_is_open(phi)) continue;
-      if (protocol_.stopped() || budget_ == 0) return false;
-      LimitedEnds held = ends;
-      held.phi = phi;
-      if (keep_limits(held)) return true;
-    }
-  }
-  return false;
-}
-
-void Tightening::turn_end(
-    double direction,
-    const std::function<bool(const std::optional<Held>& before,
-                             const Held& here)>& go_on) {
-  end_held_ = true;
-  std::optional<Held> before = held();
-  for (double phi = before->phi + direction * kEndStep;
-       std::abs(phi) < kSteepest; phi += direction * kEndStep) {
-    if (!end_is_open(phi)) {
-      before.reset();
-      continue;
-    }
-    if (!solve_held(phi)) return;
-    const Held here = held();
-    if (!go_on(before, here)) return;
-    before = here;
-  }
-}
-
-bool Tightening::bracket_contact() {
-  end_held_ = true;
-  last_ = tight_;
-  const LimitedCurve first = *last_;
-  const Held begin = held();
-  double least = std::abs(begin.open);
-  double lowest = begin.phi, highest = begin.phi;
-  std::optional<bool> closed;
-  for (const double direction : {1.0, -1.0}) {
-    last_ = first;
-    turn_end(direction, [&](const auto& before, const Held& here) {
-      least = std::min(least, std::abs(here.open));
-      lowest = std::min(lowest, here.phi);
-      highest = std::max(highest, here.phi);
-      if (before && here.beyond(*before)) closed = close_in(*before, here);
-      return !closed;
-    });
-    if (closed) return *closed;
-    if (protocol_.stopped()) return false;
-  }
-  if (highest - lowest < 2.0 * kEndStep) return false;
-  return protocol_.fail(
-      Status::NoSmoothContact,
-      fmt::format("no smooth contact was found under these limits: for slopes "
-                  "at B from {:.3g} to {:.3g} rad the path that keeps "
-                  "the limits ends {:.2g} rad or more off; try "
-                  "contact: optimal",
-                  lowest, highest, least));
-}
-
-bool Tightening::solve_held(double phi) {
-  const Mesh mesh = last_->problem().mesh();
-  auto ends = next_ends(limits_);
-  if (!ends) return none_at_rest();
-  ends->phi = phi;
-  return solve_rigid(limits_, mesh, *ends);
-}
-
-Tightening::Held Tightening::held() {
-  const double phi = last_->problem().ends().phi;
-  return {phi, end_slope(*last_) - phi};
-}
-
-bool Tightening::close_in(Held a, Held b) {
-  constexpr double kClose = 1e-3, kJump = 1e-5;
-  while (std::abs(a.phi - b.phi) > kJump) {
-    const double phi = 0.5 * (a.phi + b.phi);
-    if (!solve_held(phi)) return false;
-    const Held here = held();
-    if (std::abs(here.open) < kClose) return true;
-    ((here.open < 0.0) == (a.open < 0.0) ? a : b) = here;
-  }
-  return protocol_.fail(
-      Status::NoSmoothContact,
-      fmt::format("no smooth contact was found under these limits: at φ = "
-                  "{:.6g} rad the slope at the end jumps from {:.2g} "
-                  "to {:.2g} rad off; try contact: optimal",
-                  a.phi, a.open, b.open));
 }
 
 bool Tightening::none_found() {

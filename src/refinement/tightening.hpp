@@ -102,8 +102,8 @@ class Tightening {
   bool none_found();
 
   /// Of the first tighten() if limits gave way in the end, and none succeeded.
-  [[nodiscard]] const std::optional<BlockingLimit>& blocking() const {
-    return blocking_;
+  [[nodiscard]] std::optional<BlockingLimit> blocking() const {
+    return tight_ ? std::nullopt : blocking_;
   }
   [[nodiscard]] const LimitRelaxation& relaxation() const {
     return relaxation_;
@@ -159,6 +159,10 @@ class Tightening {
   void turn_end(double direction,
                 const std::function<bool(const std::optional<Held>& before,
                                          const Held& here)>& go_on);
+  /// Iterations and work.
+  [[nodiscard]] bool has_more() const {
+    return budget_ > 0 && !protocol_.stopped();
+  }
   bool none_at_rest();
   /// Whether C_B(φ) keeps the limits of the place.
   [[nodiscard]] bool end_is_open(double phi) const;

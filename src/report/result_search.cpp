@@ -34,7 +34,8 @@ Field<Solution> branches_field() {
        {"estimated_error", "", "relative", &B::estimated_error},
        {"end_angle", "rad", "β_end", &B::end_angle},
        {"centre_path_length", "m", "S", &B::centre_path_length},
-       {"principal", "", "continues from the cycloid; under limits the answer without this "
+       {"principal", "",
+        "continues from the cycloid; under limits the answer without this "
         "search",
         &B::principal},
        {"verified", "", "passed every check", &B::verified},

@@ -125,8 +125,8 @@ std::string advice_without_answer(const PosedProblem& posed,
     const std::string looser = looser_limits(posed.asked);
     if (!looser.empty()) text = ". To try: " + looser;
   }
-  if (refinement.status != Status::NotConverged &&
-      refinement.status != Status::Infeasible) {
+  if (refinement.tried.empty() || (refinement.status != Status::NotConverged &&
+                                   refinement.status != Status::Infeasible)) {
     return text;
   }
   return text + fmt::format(". A path was looked for {}",

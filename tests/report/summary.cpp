@@ -140,7 +140,7 @@ TEST(Summary, TellsWhatSmallChangesDo) {
 }
 
 // A cross-check and other contacts are refused with limits.
-TEST(Summary, AdvisesNothingThatIsRefusedWithLimits) {
+TEST(Summary, AdvisesASearchUnderLimitsAndNothingThatIsRefused) {
   Solution solution = testing::limited_solution();
   EXPECT_FALSE(says(summary(solution), "--certify")) << summary(solution);
   solution.diagnostics->min_fold_margin = {-0.5, 1.25};
@@ -149,6 +149,8 @@ TEST(Summary, AdvisesNothingThatIsRefusedWithLimits) {
 
   EXPECT_TRUE(says(text, "INFEASIBLE")) << text;
   EXPECT_TRUE(says(text, "search: global")) << text;
+  EXPECT_FALSE(says(text, "guess:")) << text;
+  EXPECT_FALSE(says(text, "arc_length")) << text;
 }
 
 TEST(Summary, OfAnUnverifiedSolutionHasTheFailedCheckAndNoAnswer) {

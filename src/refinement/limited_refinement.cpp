@@ -113,16 +113,16 @@ class LimitedSolve {
     const PhaseTimer timer(Phase::Start);
     const bool tightened = tightening_->tighten();
     std::optional<FittedPath> path;
-    // Arcs that are not found must leave the mesh a chance.
     if (tightened) path = with_share(0.5, [&] { return read_off(); });
     const auto settled = [&] { return path || mesh_ || ended(); };
     if (settled() || protocol_.status == Status::NoAdmissiblePath) return path;
     if (!tightened && tightening_->is_shut()) return path;
     Status status = protocol_.status;
     std::string message = tightened ? only_on_coarse_mesh() : protocol_.message;
-    if (tightened) path = from_mesh();
+    // Each leaves some work to those that come after it.
+    if (tightened) path = with_share(0.4, [&] { return from_mesh(); });
     if (!settled() && (tightened || status != Status::Infeasible)) {
-      path = follow_from_loosest();
+      path = with_share(0.4, [&] { return follow_from_loosest(); });
       message += followed();
     }
     if (!settled() && tightened) path = bracketed();

@@ -99,7 +99,7 @@ std::vector<LimitOnPath> limits_on_path(const PosedProblem& posed,
                                         const FittedPath& path,
                                         const LimitedMotion& motion) {
   // Half of what a bound is moved by, in natural units.
-  constexpr double kStep = 1e-6;
+  constexpr double kStep = 1e-5;
   const Scene& natural = *posed.limited;
   // τ = T √(2 g/H), times in natural units being those of 2 g = 1.
   const double tau = 1.0 / std::sqrt(natural.H);

@@ -166,14 +166,17 @@ Rows sample_path(const Motion& motion) {
   return rows;
 }
 
-/// A figure of the path at its samples, the first one replaced by its limit.
+/// A figure of the path at its samples, the first one replaced by its limit. It
+/// stands for what is next to the start too: there curvature is a quotient of
+/// what vanishes, and a search would find how far its rounding goes.
 std::vector<math::Sample> samples_of(const Rows& rows, double at_start,
                                      const Figure& f) {
+  constexpr double kNext = 0.5;  // of the first step
   std::vector<math::Sample> samples;
   samples.reserve(rows.size());
   for (const TrajectoryPoint& row : rows)
     samples.push_back({row.sigma, f(row)});
-  samples.front().value = at_start;
+  samples.front() = {std::lerp(rows[0].sigma, rows[1].sigma, kNext), at_start};
   return samples;
 }
 

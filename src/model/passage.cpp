@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "brachisto/math/clock.hpp"
 #include "brachisto/math/index.hpp"
 #include "model/start_under_limits.hpp"
 
@@ -39,22 +40,21 @@ class Squares {
   /// \param turning  whether its energy depends on how far the body has turned;
   ///                 else it has the most that any θ gives it
   Squares(const Scene& scene, const std::vector<PathInequality>& limits,
-          bool turning)
+          std::optional<Point> start, bool turning)
       : scene_(scene),
-        start_(known_start(scene, limits)),
-        side_(3.0 * (std::max(scene.L, scene.H) + contact_radius(scene)) /
-              kAcross),
-        left_(0.5 * (scene.L - kAcross * side_)),
-        top_(0.5 * (scene.H - kAcross * side_)),
+        start_(start),
+        across_(kMostAcross),
         floor_(floor_of(limits)) {
-    for (int k = 0; k < kAcross; ++k) {
-      for (int i = 0; i < kAcross; ++i) {
+    while (turning && num_states(scene, across_) > kMostStates) --across_;
+    side_ = side(scene, across_);
+    left_ = 0.5 * (scene.L - across_ * side_);
+    top_ = 0.5 * (scene.H - across_ * side_);
+    for (int k = 0; k < across_; ++k) {
+      for (int i = 0; i < across_; ++i) {
         obstructed_.push_back(is_obstructed(limits, centre(i, k)));
       }
     }
-    const double turn = 2.0 * std::numbers::pi * contact_radius(scene);
-    const int steps =
-        turning ? std::max(1, static_cast<int>(std::ceil(turn / side_))) : 1;
+    const int steps = turning ? steps_of_turn(scene, across_) : 1;
     for (int step = 0; step < steps; ++step) {
       highest_.push_back(highest_in(step, steps));
     }
@@ -62,12 +62,13 @@ class Squares {
 
   [[nodiscard]] bool joins() {
     const double r = contact_radius(scene_);
-    seen_.assign(at(kAcross) * at(kAcross) * highest_.size(), false);
-    std::vector<State> next;
-    const auto reach = [&](State to) {
-      if (seen_[index(to)] || !is_open(to)) return;
-      seen_[index(to)] = true;
-      next.push_back(to);
+    seen_.assign(at(across_ * across_ * num_steps()), false);
+    std::vector<int> next;
+    const auto reach = [&](const State& to) {
+      const int index = index_of(to);
+      if (seen_[at(index)] || !is_open(to)) return;
+      seen_[at(index)] = true;
+      next.push_back(index);
     };
     // Beyond the edge one comes from any open square to any other, turned by
     // anything, but past a floor that is below all and where energy ends that
@@ -77,31 +78,32 @@ class Squares {
     const auto go_outside = [&](bool left) {
       if (std::exchange(left ? been_left : been_right, true)) return;
       for (int step = 0; step < num_steps(); ++step) {
-        for (int k = 0; k < kAcross; ++k) {
-          reach({left ? 0 : kAcross - 1, k, step});
+        for (int k = 0; k < across_; ++k) {
+          reach({left ? 0 : across_ - 1, k, step});
           if (!around) continue;
           reach({k, 0, step});
-          reach({k, kAcross - 1, step});
+          reach({k, across_ - 1, step});
         }
       }
     };
-    for (int i = 0; i < kAcross; ++i) {
-      for (int k = 0; k < kAcross; ++k) {
+    for (int i = 0; i < across_; ++i) {
+      for (int k = 0; k < across_; ++k) {
         const bool begins = start_ ? distance(i, k, *start_) <= half_diagonal()
                                    : lies_on(i, k, {0.0, 0.0}, r);
         if (begins) reach({i, k, 0});
       }
     }
     // Within the first step, beside where it starts.
-    for (const State& begin : std::vector<State>(next)) {
-      each_neighbour(begin, begin.step, reach);
+    for (const int begin : std::vector<int>(next)) {
+      each_neighbour(state(begin), 0, reach);
     }
-    while (!next.empty()) {
-      const State here = next.back();
+    for (int turn = 0; !next.empty(); ++turn) {
+      check_stop(turn);
+      const State here = state(next.back());
       next.pop_back();
       if (lies_on(here.i, here.k, {scene_.L, scene_.H}, r)) return true;
-      const bool left = here.i == 0, right = here.i == kAcross - 1;
-      const bool beyond = here.k == 0 || here.k == kAcross - 1;
+      const bool left = here.i == 0, right = here.i == across_ - 1;
+      const bool beyond = here.k == 0 || here.k == across_ - 1;
       if (left || (around && (right || beyond))) go_outside(true);
       if (right || (around && (left || beyond))) go_outside(false);
       each_neighbour(here, (here.step + 1) % num_steps(), reach);
@@ -110,7 +112,20 @@ class Squares {
   }
 
  private:
-  static constexpr int kAcross = 400;
+  static constexpr int kMostAcross = 400;
+  /// With fewer squares, which are larger, a proof is one too.
+  static constexpr int kMostStates = 5'000'000;
+
+  static double side(const Scene& scene, int across) {
+    return 3.0 * (std::max(scene.L, scene.H) + contact_radius(scene)) / across;
+  }
+  static int steps_of_turn(const Scene& scene, int across) {
+    const double turn = 2.0 * std::numbers::pi * contact_radius(scene);
+    return std::max(1, static_cast<int>(std::ceil(turn / side(scene, across))));
+  }
+  static int num_states(const Scene& scene, int across) {
+    return across * across * steps_of_turn(scene, across);
+  }
 
   struct State {
     int i, k;  ///< of the square, to the right and down
@@ -120,13 +135,17 @@ class Squares {
   [[nodiscard]] int num_steps() const {
     return static_cast<int>(highest_.size());
   }
-  [[nodiscard]] std::size_t index(const State& state) const {
-    return at(state.i + kAcross * (state.k + kAcross * state.step));
+  [[nodiscard]] int index_of(const State& state) const {
+    return state.i + across_ * (state.k + across_ * state.step);
+  }
+  [[nodiscard]] State state(int index) const {
+    return {index % across_, index / across_ % across_,
+            index / (across_ * across_)};
   }
   template <class Reach>
   void each_neighbour(const State& of, int step, Reach&& reach) const {
-    for (int k = std::max(0, of.k - 1); k <= of.k + 1 && k < kAcross; ++k) {
-      for (int i = std::max(0, of.i - 1); i <= of.i + 1 && i < kAcross; ++i) {
+    for (int k = std::max(0, of.k - 1); k <= of.k + 1 && k < across_; ++k) {
+      for (int i = std::max(0, of.i - 1); i <= of.i + 1 && i < across_; ++i) {
         reach({i, k, step});
       }
     }
@@ -157,7 +176,7 @@ class Squares {
     });
   }
   [[nodiscard]] bool is_open(const State& state) const {
-    return !obstructed_[at(state.i + kAcross * state.k)] &&
+    return !obstructed_[at(state.i + across_ * state.k)] &&
            !energy_ends(centre(state.i, state.k).z, highest_[at(state.step)]);
   }
   /// The largest sin θ on a step of the turn.
@@ -181,7 +200,7 @@ class Squares {
     return energy_ends(centre(0, 0).z, 1.0);
   }
   [[nodiscard]] bool floor_ends_below() const {
-    return floor_ - centre(0, kAcross - 1).z < -half_diagonal();
+    return floor_ - centre(0, across_ - 1).z < -half_diagonal();
   }
   /// The lowest that a centre may be.
   [[nodiscard]] static double floor_of(
@@ -197,7 +216,8 @@ class Squares {
 
   const Scene& scene_;
   std::optional<Point> start_;
-  double side_, left_, top_, floor_;
+  int across_;
+  double side_ = 0.0, left_ = 0.0, top_ = 0.0, floor_;
   std::vector<bool> obstructed_;  ///< by square
   std::vector<double> highest_;   ///< sin θ, by step of the turn
   std::vector<bool> seen_;        ///< by state
@@ -211,9 +231,12 @@ bool way_is_open(const Scene& scene,
       limits,
       [](const PathInequality& limit) { return !limit.bounds_control(); });
   if (!obstacles) return true;
-  return Squares(scene, limits, false).joins() &&
-         (!scene.body.off_centred() || !scene.world.ordinary() ||
-          Squares(scene, limits, true).joins());
+  const std::optional<Point> start = known_start(scene, limits);
+  // Only of energy from a known place the turn tells more.
+  const bool turning = start && scene.body.off_centred() &&
+                       scene.world.ordinary() && contact_radius(scene) > 0.0;
+  return Squares(scene, limits, start, false).joins() &&
+         (!turning || Squares(scene, limits, start, true).joins());
 }
 
 }  // namespace brachisto

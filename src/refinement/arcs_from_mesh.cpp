@@ -65,16 +65,17 @@ LimitedRefinement refine_from_mesh(const LimitedCurve& mesh,
   std::optional<LimitedAnswer> answer;
   std::optional<PathWithoutArcs> without;
   auto path = arcs_from(mesh, kArcDegree, search, protocol);
-  if (!path && !wanted.fixed() && !protocol.stopped() &&
+  if (path) answer = refined(*std::move(path), wanted, search, protocol);
+  if (!answer && !wanted.fixed() && !protocol.stopped() &&
       protocol.status != Status::NoFastestTrack) {
     without = solve_without_arcs(
         mesh, wanted.tolerance.value_or(kToleranceWithoutArcs), options.ipopt,
         protocol);
     if (without && !protocol.stopped()) {
       path = arcs_from(without->path.curve, kArcDegree, search, protocol);
+      if (path) answer = refined(*std::move(path), wanted, search, protocol);
     }
   }
-  if (path) answer = refined(*std::move(path), wanted, search, protocol);
   if (!answer && without) answer = answer_without_arcs(*without, protocol);
   return {std::move(protocol).finished(), std::move(answer), {}, {}, {}, {}};
 }

@@ -39,8 +39,8 @@ inline constexpr int kArcDegree = 7;
 [[nodiscard]] LimitedAnswer answer_without_arcs(const PathWithoutArcs& found,
                                                 PassProtocol& protocol);
 
-/// The answer that a coarse path leads to: on its arcs, or if none fit on those
-/// of finer meshes; where these do not fit either, the finest mesh.
+/// The answer that a coarse path leads to: on its arcs, or if these lead to
+/// none on those of finer meshes; where they do not either, the finest mesh.
 ///
 /// \param mesh  of a scene in natural units, its limits being inequalities
 [[nodiscard]] LimitedRefinement refine_from_mesh(const LimitedCurve& mesh,

@@ -208,6 +208,11 @@ std::vector<RoughPath> other_ways(const Scene& scene, const ExtremalCurve& free,
   return out;
 }
 
+std::size_t discs_near(const ExtremalCurve& free,
+                       const std::vector<PathInequality>& limits) {
+  return near_discs(line_of(free), limits).size();
+}
+
 std::vector<RoughPath> ways_past_discs(
     const Scene& scene, const ExtremalCurve& free,
     const std::vector<PathInequality>& limits) {

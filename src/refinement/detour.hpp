@@ -38,8 +38,12 @@ struct RoughPath {
 /// Of no more discs both sides are tried.
 inline constexpr std::size_t kMostDiscs = 3;
 
-/// The free extremal bent past the discs that it passes near, once for each way
-/// of being over or under them.
+/// How many discs the free extremal passes near.
+[[nodiscard]] std::size_t discs_near(const ExtremalCurve& free,
+                                     const std::vector<PathInequality>& limits);
+
+/// The free extremal bent past the discs that it passes near, the first
+/// kMostDiscs of them, once for each way of being over or under them.
 [[nodiscard]] std::vector<RoughPath> ways_past_discs(
     const Scene& scene, const ExtremalCurve& free,
     const std::vector<PathInequality>& limits);

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <optional>
 #include <utility>
 
 #include "refinement/detour.hpp"
@@ -49,12 +48,7 @@ class LimitedPaths {
     }
     if (end_is_sought(scene_)) along_the_slope();
     std::ranges::stable_sort(out_.paths, {}, &LimitedCurve::transit_time);
-    if (free_.size() > extremals) {
-      leave(
-          "of {} extremals without limits the {} slowest were not started "
-          "from",
-          free_.size(), free_.size() - extremals);
-    }
+    tell_bounds();
     if (out_.paths.size() > kMostLimitedPaths) {
       leave("of {} paths that it found the {} slowest were not solved for",
             out_.paths.size(), out_.paths.size() - kMostLimitedPaths);
@@ -65,6 +59,26 @@ class LimitedPaths {
   }
 
  private:
+  void tell_bounds() {
+    if (free_.size() > kMostFreeStarts) {
+      leave(
+          "of {} extremals without limits the {} slowest were not started "
+          "from",
+          free_.size(), free_.size() - kMostFreeStarts);
+    }
+    const std::size_t discs = discs_near(free_.front().curve, limits_);
+    if (discs > kMostDiscs) {
+      leave("of {} discs near the first of them both sides were tried of {}",
+            discs, kMostDiscs);
+    }
+    if (ended_ > 0) {
+      leave(
+          "{} of its {} starts, or scans of the slope at B, ended at their {} "
+          "iterations",
+          ended_, out_.starts, options_.ipopt.max_iterations);
+    }
+  }
+
   [[nodiscard]] bool stopped() const { return options_.ipopt.stop.met(); }
 
   template <class... Args>
@@ -106,10 +120,14 @@ class LimitedPaths {
       if (then) then(tightening);
     }
     const RefinementProtocol done = std::move(protocol).finished();
+    const int before = out_.work.iterations;
     for (const MeshRecord& mesh : done.meshes) {
       out_.work += {mesh.iterations, mesh.passes, mesh.newton_steps, {}};
     }
     out_.work.log += done.log;
+    if (out_.work.iterations - before >= options_.ipopt.max_iterations) {
+      ++ended_;
+    }
   }
 
   /// The limits with one of them as it is and the others as loose as the free
@@ -155,6 +173,7 @@ class LimitedPaths {
   MeshOptions options_;
   std::vector<PathInequality> limits_;
   LimitedSearch out_;
+  int ended_ = 0;  ///< starts whose iterations were used up
 };
 
 }  // namespace

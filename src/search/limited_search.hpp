@@ -44,7 +44,7 @@ inline constexpr int kIterationsOfAStart = 600;
 /// - the first one with random waves on it, always the same.
 ///
 /// Where the slope at B is sought, contacts are looked for along it too, from
-/// what the first start led to and from the fastest that was found. Of paths
+/// the first path that was found and from the fastest. Of paths
 /// that lie next to each other one is handed on.
 ///
 /// \param scene  in natural units, with limits

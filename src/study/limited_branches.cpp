@@ -24,6 +24,11 @@ struct JudgedPath {
   Solution solution;
 };
 
+/// \pre a motion()
+const LimitedCurve& curve_of(const Solution& limited) {
+  return answer_as<LimitedPathAnswer>(limited.answer)->motion.curve();
+}
+
 /// Nothing if the path led nowhere, or to what is known.
 void judge(Solution solution, bool principal, std::vector<JudgedPath>& judged) {
   const Motion* motion = solution.motion();
@@ -32,8 +37,10 @@ void judge(Solution solution, bool principal, std::vector<JudgedPath>& judged) {
       branch_of(*motion, solution.estimated_error, solution.certificate,
                 solution.infeasible_because());
   branch.principal = principal;
+  // Two ways round a disc may take as long and end alike.
   if (std::ranges::any_of(judged, [&](const JudgedPath& other) {
-        return same(other.branch, branch);
+        return same(other.branch, branch) &&
+               alike(curve_of(other.solution), curve_of(solution));
       })) {
     return;
   }
@@ -59,13 +66,13 @@ void judge_limited_paths(const PosedProblem& posed,
                          Solution& out) {
   std::vector<JudgedPath> judged;
   judge(out, true, judged);
-  const auto* own = answer_as<LimitedPathAnswer>(out.answer);
+  const LimitedCurve* own = out.verified() ? &curve_of(out) : nullptr;
   // Each may take what the limit allows; a line for each is enough.
   MeshOptions quietly = posed.mesh_options_after({});
   quietly.progress = {};
   const auto judge_all = [&] {
     for (std::size_t i = 0; i < paths.size() && !posed.stop().met(); ++i) {
-      if (own != nullptr && alike(own->motion.curve(), paths[i])) continue;
+      if (own != nullptr && alike(*own, paths[i])) continue;
       if (posed.progress()) {
         posed.progress()("branches",
                          fmt::format("{} of {}", i + 1, paths.size()));

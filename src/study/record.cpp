@@ -3,6 +3,8 @@
 
 #include "study/record.hpp"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 namespace brachisto {
@@ -55,6 +57,14 @@ void record(const LimitedSearch& search, Solution& out) {
     out.search_remark += "; under limits ";
   }
   out.search_remark += search.remark;
+}
+
+void record_cut(double seconds, Solution& out) {
+  if (!out.search_remark.empty()) out.search_remark += "; ";
+  out.search_remark += fmt::format(
+      "the limit of {:g} s ended the search before its end, and what was to "
+      "follow",
+      seconds);
 }
 
 void record(const JudgedBranches& judged, Solution& out) {

@@ -25,6 +25,8 @@ void record(const ExtremalSolution& extremal, Solution& out);
 void record(const LimitedExtremal& extremal, Solution& out);
 void record(const ContactSearch& search, Solution& out);
 void record(const LimitedSearch& search, Solution& out);
+/// That time ended a search.
+void record_cut(double seconds, Solution& out);
 void record(const JudgedBranches& judged, Solution& out);
 /// The work on meshes, and how the answer was refined.
 void record(const RefinementProtocol& refinement, Solution& out);

@@ -115,7 +115,8 @@ Cost with_search(Cost cost, double turns) {
 double seconds_beside(const PosedProblem& posed, double turns, double nodes) {
   double seconds = 0.0;
   if (posed.searches()) seconds += 0.8 + 0.5 * turns;
-  if (posed.searches() && posed.limited) seconds += 2.0 + 2.0 * turns;
+  // 3 to 16 s were measured (docs/numerics.md).
+  if (posed.searches() && posed.limited) seconds += 3.0 + 4.0 * turns;
   if (posed.program.certify == Certify::Extremal) {
     seconds += 0.02 + 3e-3 * turns;
   }

@@ -43,19 +43,16 @@ const DiscreteAnswer* Solution::discrete() const {
 }
 
 std::shared_ptr<const Neighbour> Solution::as_neighbour() const {
+  if (!options.follows_the_branch()) return nullptr;
   if (const auto* limited = answer_as<LimitedPathAnswer>(answer)) {
-    if (options.of<Collocation>() == nullptr || limited->arcs.empty()) {
-      return nullptr;
-    }
+    if (limited->arcs.empty()) return nullptr;
     const LimitedCurve& curve = limited->motion.curve();
     return std::make_shared<const Neighbour>(Neighbour{
         without_whole_turns(scene), curve.problem().mesh(), curve.point(),
         limited->ends.phi, limited->arcs, limited->ends});
   }
   const auto* found = answer_as<CollocationAnswer>(answer);
-  if (found == nullptr || !folds.empty() || !options.follows_the_branch()) {
-    return nullptr;
-  }
+  if (found == nullptr || !folds.empty()) return nullptr;
   return std::make_shared<const Neighbour>(
       Neighbour{without_whole_turns(scene), found->trajectory.curve().mesh(),
                 found->point, found->phi});

@@ -3,8 +3,9 @@
 
 // The way of a scene: pose → start → refine → answer → certify → verdict. A
 // stage is a function from values to a value. What it returns is recorded in
-// the solution here, and only here, so that a solve that is stopped between two
-// stages still tells how far it came.
+// the solution at once, so that a solve that is stopped between two stages
+// still tells how far it came: here up to the refinement, and from it on, where
+// answers are put down, by conclude().
 
 #include "brachisto/study/solve.hpp"
 
@@ -52,6 +53,8 @@ void search_contacts(const PosedProblem& posed, const Start& principal,
                      Solution& out);
 void search_under_limits(const PosedProblem& posed, const Start& principal,
                          Solution& out);
+void seek_other_paths(const PosedProblem& posed, const Start& principal,
+                      Solution& out);
 void refine_elements(const PosedProblem& posed, const Start& start,
                      Solution& out);
 void refine_pieces(const PosedProblem& posed, const Start& start,
@@ -299,11 +302,29 @@ void search_contacts(const PosedProblem& posed, const Start& principal,
 
 /// Under limits: the answer without a search, which is the principal one, and
 /// others from many starts; the fastest is the answer. Where the first one
-/// stands its own outcome is told.
+/// stands its own outcome is told. A proof that there is none ends the search,
+/// and where time does, what is verified by then is the answer.
 void search_under_limits(const PosedProblem& posed, const Start& principal,
                          Solution& out) {
   if (principal.curve) refine_under_limits(posed, principal, out);
-  if (posed.stop().met() || out.status == Status::NoFastestTrack) return;
+  if (out.status == Status::NoFastestTrack ||
+      out.status == Status::NoAdmissiblePath) {
+    return;
+  }
+  try {
+    seek_other_paths(posed, principal, out);
+    if (!posed.stop().met()) return;
+  } catch (const Stopped&) {
+    if (!posed.stop().met()) throw;
+  }
+  if (posed.stop().interrupted() || !out.verified()) return;
+  record_cut(posed.options.limits.seconds, out);
+  throw AnswerStands();
+}
+
+void seek_other_paths(const PosedProblem& posed, const Start& principal,
+                      Solution& out) {
+  if (posed.stop().met()) return;
   const MeshOptions each = posed.mesh_options_after({});
   const ContactSearch free = free_contacts(posed, principal, each, out);
   if (free.contacts.empty()) return;

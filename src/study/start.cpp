@@ -195,7 +195,7 @@ bool can_start_beside(const PosedProblem& posed, const Neighbour& neighbour) {
 std::optional<FittedPath> path_beside(const PosedProblem& posed,
                                       const Neighbour& neighbour) {
   if (!posed.limited || neighbour.arcs.empty() ||
-      posed.options.of<Collocation>() == nullptr ||
+      !posed.options.follows_the_branch() ||
       neighbour.mesh.degree < kMinDegree ||
       neighbour.mesh.degree > kMaxDegree ||
       !validate(neighbour.scene).empty() ||

@@ -35,6 +35,7 @@ void work_until(const StopCondition& stop, Solution& out,
     work(out);
     // An iteration limit is the one that was reached first.
     stopped = stop.met() && out.status != Status::IterationLimit;
+  } catch (const AnswerStands&) {  // NOLINT(bugprone-empty-catch): no failure
   } catch (const Stopped&) {
     if (!stop.met()) throw;
     stopped = true;

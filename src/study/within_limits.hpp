@@ -14,9 +14,13 @@
 
 namespace brachisto {
 
+/// Thrown by work that time ended when it had a verified answer and sought a
+/// better one.
+struct AnswerStands {};
+
 /// Does the work that fills a solution, with the limits in force, and times it.
 /// If they were met, or memory ran out, the solution says so and has no answer,
-/// but what was recorded of its search.
+/// but what was recorded of its search; unless the work throws AnswerStands.
 [[nodiscard]] Solution within_limits(
     const PosedProblem& posed, const std::function<void(Solution&)>& work);
 

@@ -59,7 +59,8 @@ TEST(Passage, AboveIsLeftOpenWhereEnergyMayReach) {
 
 /// It starts with its mass below its centre, and has to lift it by 2 r η on the
 /// way, which a floor leaves it the energy for if the centre may sink by as
-/// much. It may sink first: B is two turns away.
+/// much. It may sink first: B is two turns away. Where the body is as large as
+/// that the squares are fewer and up to 1.3 times as wide.
 TEST(Passage, IsShutIfTheBodyCannotTurnOver) {
   Scene scene;
   scene.L = 6.0;

@@ -9,12 +9,20 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cmath>
+#include <functional>
 #include <string>
+#include <string_view>
+#include <thread>
+#include <utility>
 #include <vector>
 
 #include "brachisto/study/solve.hpp"
 #include "refinement/detour.hpp"
+#include "refinement/pass_protocol.hpp"
+#include "refinement/tightening.hpp"
 #include "study/pose.hpp"
 #include "study/start.hpp"
 
@@ -73,14 +81,19 @@ TEST(LimitedSearch, FindsBothWaysOfABeadRoundADisc) {
   EXPECT_TRUE(std::ranges::is_sorted(found.branches, {}, &Branch::tau));
 }
 
-/// What a bound that is nowhere reached leaves are the smooth contacts of the
-/// free motion, the expected τ being those of tests/search/global_search.cpp.
-TEST(LimitedSearch, FindsTheFreeContactsUnderABoundThatIsFarOff) {
+Scene free_contacts_above_a_floor() {
   Scene scene;
   scene.body = Body::cylinder(0.2, 2.0 / 3.0, 0.0, 0.5);
   scene.L = 3.0;
   scene.H = 1.0;
   scene.limits.floor = 5.0;
+  return scene;
+}
+
+/// What a bound that is nowhere reached leaves are the smooth contacts of the
+/// free motion, the expected τ being those of tests/search/global_search.cpp.
+TEST(LimitedSearch, FindsTheFreeContactsUnderABoundThatIsFarOff) {
+  const Scene scene = free_contacts_above_a_floor();
   constexpr double kSixDecimals = 5e-7;
 
   const Solution found = solved(scene, Search::Global);
@@ -93,7 +106,7 @@ TEST(LimitedSearch, FindsTheFreeContactsUnderABoundThatIsFarOff) {
   }
 }
 
-TEST(LimitedSearch, IsNeverWorseThanTheAnswerWithoutIt) {
+TEST(LimitedSearch, RanksWhatIsVerifiedWithThePrincipalAnswerAmongIt) {
   Scene scene;
   scene.body = Body::cylinder(1.0 / 3.0, 2.0 / 3.0, 0.0, 0.5);
   scene.L = 3.0;
@@ -106,10 +119,90 @@ TEST(LimitedSearch, IsNeverWorseThanTheAnswerWithoutIt) {
 
   ASSERT_TRUE(principal.verified());
   ASSERT_TRUE(found.verified());
-  EXPECT_LE(found.motion()->tau(), principal.motion()->tau());
+  EXPECT_TRUE(found.feasible());
+  for (const Branch& branch : found.branches) {
+    if (!branch.verified || !branch.feasible) continue;
+    EXPECT_LE(found.motion()->tau(), branch.tau);
+  }
   const auto own = std::ranges::find_if(found.branches, &Branch::principal);
   ASSERT_NE(own, found.branches.end());
   EXPECT_EQ(own->tau, principal.motion()->tau());
+}
+
+/// A scene that is solved beside another one, as in a sweep.
+TEST(LimitedSearch, SeeksTheOtherWaysBesideANeighbourToo) {
+  Scene scene = bead_and_disc();
+  const Solution before = solved(scene, Search::Principal);
+  const auto neighbour = before.as_neighbour();
+  ASSERT_NE(neighbour, nullptr);
+  SolveOptions options;
+  options.use<Collocation>().search = Search::Global;
+
+  const Solution found = solve(scene, options, {.neighbour = neighbour.get()});
+
+  ASSERT_TRUE(found.verified()) << found.message;
+  EXPECT_NE(find_branch(found, kOver, kDigits), nullptr);
+  EXPECT_NE(find_branch(found, kUnder, kDigits), nullptr);
+  EXPECT_EQ(found.as_neighbour(), nullptr);
+}
+
+TEST(LimitedSearch, SolvesForItsPathsOnAFixedMesh) {
+  constexpr int kElements = 30, kDegree = 6;
+  SolveOptions options;
+  auto& program = options.use<Collocation>();
+  program.search = Search::Global;
+  program.discretisation.elements = kElements;
+  program.discretisation.degree = kDegree;
+
+  const Solution found = solve(bead_and_disc(), options);
+
+  ASSERT_TRUE(found.verified()) << found.message;
+  EXPECT_EQ(found.program()->elements, kElements);
+  EXPECT_EQ(found.program()->degree, kDegree);
+  EXPECT_NEAR(found.motion()->tau(), kUnder,
+              kDigits + *found.estimated_error * kUnder);
+}
+
+/// Called once a start of the limited search is under way.
+ProgressHook on_second_start(std::function<void()> act) {
+  return
+      [act = std::move(act)](std::string_view phase, const std::string& text) {
+        if (phase == "search" && text.starts_with("start 2,")) act();
+      };
+}
+
+TEST(LimitedSearch, KeepsTheVerifiedAnswerWhenItsTimeIsOver) {
+  using Clock = std::chrono::steady_clock;
+  SolveOptions options;
+  options.use<Collocation>().search = Search::Global;
+  options.limits.seconds = 8.0;  // many times what the principal answer takes
+  const auto begin = Clock::now();
+  const auto wait = [&] {
+    std::this_thread::sleep_until(begin + std::chrono::milliseconds(8100));
+  };
+
+  const Solution found =
+      solve(bead_and_disc(), options, {.progress = on_second_start(wait)});
+
+  ASSERT_TRUE(found.verified()) << found.message;
+  EXPECT_NE(found.search_remark.find("the limit of 8 s"), std::string::npos)
+      << found.search_remark;
+  const double tau = found.motion()->tau();
+  EXPECT_LE(std::min(std::abs(tau - kOver), std::abs(tau - kUnder)),
+            kDigits + *found.estimated_error * tau);
+}
+
+TEST(LimitedSearch, HasNoAnswerWhenItIsInterrupted) {
+  SolveOptions options;
+  options.use<Collocation>().search = Search::Global;
+  std::atomic<int> flag{0};
+
+  const Solution found = solve(
+      bead_and_disc(), options,
+      {.interrupt = &flag, .progress = on_second_start([&] { flag = 1; })});
+
+  EXPECT_EQ(found.status, Status::Interrupted) << found.message;
+  EXPECT_EQ(found.motion(), nullptr);
 }
 
 /// Free extremals that rough starts are bent from.
@@ -119,7 +212,49 @@ struct Free {
 
   explicit Free(const Scene& scene)
       : posed(pose(scene, {}, {})), start(start_from_cycloid(posed)) {}
+
+  [[nodiscard]] LimitedSearch search(MeshOptions options) const {
+    return find_limited_paths(*posed.limited, {{*start.curve, start.phi}},
+                              options);
+  }
 };
+
+TEST(LimitedSearch, SaysWhatItsBoundsLeftUndone) {
+  Scene scene = bead_and_disc();
+  scene.limits.discs.assign(4, scene.limits.discs.front());
+  const Free free(scene);
+  MeshOptions options = free.posed.mesh_options;
+  options.ipopt.max_iterations = 2;
+
+  const std::string remark = free.search(options).remark;
+
+  for (const char* text : {"of 4 discs", "both sides were tried of 3",
+                           "ended at their 2 iterations"}) {
+    EXPECT_NE(remark.find(text), std::string::npos) << remark;
+  }
+}
+
+/// Where no limit is reached the contact met along the slope at B is that of
+/// the free motion, with the τ of tests/search/global_search.cpp. It is closed
+/// in on between two slopes 0.1 rad apart; what is left open, δ, moves C_B by
+/// r δ along the path's end, where the speed is √(2 g H), and so τ by r δ/H.
+TEST(LimitedSearch, MeetsTheContactAlongTheSlopeAtB) {
+  constexpr double kTau = 5.424799, kStep = 0.1, kOpen = 0.2 * kStep;
+  const Free free(free_contacts_above_a_floor());
+  PassProtocol protocol(free.posed.mesh_options);
+  Tightening path(*free.posed.limited, *free.start.curve, free.start.phi,
+                  free.posed.mesh_options.ipopt, protocol);
+  ASSERT_TRUE(path.tighten()) << protocol.message;
+
+  const std::vector<LimitedCurve> contacts = path.contacts_along();
+
+  ASSERT_FALSE(contacts.empty());
+  for (const LimitedCurve& one : contacts) {
+    const double tau = one.transit_time() / std::sqrt(free.posed.limited->H);
+    EXPECT_NEAR(tau, kTau, kOpen);
+    EXPECT_NEAR(one.problem().ends().phi, one.at(1.0).state.beta, kStep);
+  }
+}
 
 TEST(RoughStarts, PassADiscOnEitherSide) {
   const Free free(bead_and_disc());

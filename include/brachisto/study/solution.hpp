@@ -228,7 +228,7 @@ struct Solution {
   std::optional<double> continued_from_L;
   std::optional<ColdStart> cold_start;
   std::vector<Branch> branches;  ///< of Search::Global, fastest first
-  /// What Search::Global left undone, its work being bounded; empty if nothing.
+  /// What Search::Global left undone, bounded or cut by time; empty if nothing.
   std::string search_remark;
 
   /// The motion, found or given; null if there is none.
@@ -238,8 +238,8 @@ struct Solution {
   /// Of a DiscreteSystem; null otherwise.
   [[nodiscard]] const DiscreteAnswer* discrete() const;
   /// For scenes not far from this one; see SolveHooks. Null if the answer is
-  /// not the end of the branch from the cycloid: what lies beyond a fold is not
-  /// what neighbours continue.
+  /// not the end of the branch from the cycloid: what lies beyond a fold, or
+  /// what a search chose, is not what neighbours continue.
   [[nodiscard]] std::shared_ptr<const Neighbour> as_neighbour() const;
 
   /// Solved, and every check of the certificate passed. Never for a solution

@@ -95,7 +95,7 @@ class Shooting {
     Number T, beta;
     // Of a shot with derivatives: by the unknowns, and see Extremal.
     Unknowns beta_by, time_by;
-    Number least_jacobian, by_length;
+    Number least_jacobian, last_jacobian, by_length;
   };
 
   void pass(int step) {
@@ -154,7 +154,7 @@ class Shooting {
     Path path({Inner{flow, start_angle_}, by[3], &controls},
               Inner::stack_of(y0));
     on_step(0, flow, path.now(), path.rates().inner.control);
-    Jacobi<Number> jacobi;
+    Jacobi<Number> jacobi{Number(Neighbours<Inner>::kSign)};
     for (int i = 1; i <= steps; ++i) {
       path.step_unchecked(1.0 / steps);
       on_step(i, flow, path.now(), path.rates().inner.control);
@@ -166,14 +166,16 @@ class Shooting {
     return arrived<Derivatives, Inner>(flow, path, by, jacobi);
   }
 
+  template <class Inner>
+  using Neighbours =
+      std::conditional_t<Where == Falling::InAir, BrakedNeighbours<Inner>,
+                         FreeNeighbours<Inner>>;
+
   template <class Inner, class Path>
   [[nodiscard]] auto neighbours(const Flow& flow, const Path& path) const {
-    using Neighbours =
-        std::conditional_t<Where == Falling::InAir, BrakedNeighbours<Inner>,
-                           FreeNeighbours<Inner>>;
     const Number& beta = path.rates().inner.control;
-    return Neighbours(path.now(), path.slope(), flow.problem(), cos(beta),
-                      sin(beta));
+    return Neighbours<Inner>(path.now(), path.slope(), flow.problem(),
+                             cos(beta), sin(beta));
   }
 
   template <bool Derivatives, class Inner, class Path>
@@ -216,6 +218,7 @@ class Shooting {
                                 : Inner::derivative(now, Inner::kCost, kPX + j);
       }
       out.least_jacobian = jacobi.least;
+      out.last_jacobian = jacobi.last;
       out.by_length = neighbours<Inner>(flow, path).by_length(by[3]);
     }
     return out;
@@ -287,6 +290,7 @@ void Shooting<Set, Count, Where>::follow_way() {
 
 template <int Set, std::size_t Count, Falling Where>
 void Shooting<Set, Count, Where>::finish(Extremals& out) {
+  constexpr double kUlp = std::numeric_limits<double>::epsilon();
   constexpr double kClosed = 1e-10;
   constexpr int kMostSteps = 5;
   const int half = this->half(), steps = 2 * half;
@@ -313,11 +317,22 @@ void Shooting<Set, Count, Where>::finish(Extremals& out) {
     }
     moving = moving & !(far < Number(kClosed));
   }
-  good_ = good_ & !moving & (whole.least_jacobian > Number(0.0)) &
-          (whole.by_length > Number(0.0));
+  good_ = good_ & !moving;
 
   // Once to take up what doubled steps change, once for the path.
-  const Shot first = shoot<false>(by_, steps, kIgnore);
+  constexpr bool kBraked = Where == Falling::InAir;
+  const Shot first = shoot<kBraked>(by_, steps, kIgnore);
+  const Shot& finest = kBraked ? first : whole;
+  if constexpr (kBraked) {
+    // The determinant goes as the drag squared: it is seen where doubled steps
+    // change little of it, and more than rounding.
+    constexpr double kSeen = 0.1;
+    const Number changed = abs(first.last_jacobian - whole.last_jacobian) +
+                           Number(kUlp * steps);
+    good_ = good_ & (changed < Number(first.last_jacobian * kSeen));
+  }
+  good_ = good_ & (finest.least_jacobian > Number(0.0)) &
+          (finest.by_length > Number(0.0));
   const auto solved = newton_step(whole.jacobian, first.residual);
   for (std::size_t j = 0; j < kUnknowns; ++j) {
     by_[j] = by_[j] + solved.step[j];
@@ -358,7 +373,6 @@ void Shooting<Set, Count, Where>::finish(Extremals& out) {
   const Number T = time_of(last, by_);
   // Every step rounds the states, which T feels through the costates; these
   // errors are independent.
-  constexpr double kUlp = std::numeric_limits<double>::epsilon();
   const Number touched = abs(by_[0] * L_) + abs(by_[1] * H_) + abs(T);
   const Number error =
       (abs(T - T_half) + touched * (kUlp * std::sqrt(1.0 + steps))) / T;
@@ -376,8 +390,8 @@ void Shooting<Set, Count, Where>::finish(Extremals& out) {
     found.phi = last.beta[lane];
     found.mismatch = mismatch[lane];
     found.min_legendre = least_legendre[lane];
-    found.by_length = whole.by_length[lane];
-    found.least_jacobian = whole.least_jacobian[lane];
+    found.by_length = finest.by_length[lane];
+    found.least_jacobian = finest.least_jacobian[lane];
     found.places = fineness_.places;
     found.sign = sign_[lane];
     for (std::size_t i = 0; i < kUnknowns; ++i) {

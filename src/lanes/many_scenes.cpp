@@ -179,16 +179,19 @@ std::vector<Extremal> shoot_beside(std::span<const Scene> scenes,
                                    const Fineness& fineness,
                                    Instructions instructions) {
   const Scene before = in_natural_units(without_whole_turns(from));
+  // All of the way is between the scenes: none is left to go into the air.
+  Fineness straight = fineness;
+  straight.into_world = 0;
   return in_eights<Extremal>(
       scenes, instructions,
       [&](std::size_t i, Target& target) {
         const std::optional<Scene> natural = as_shot_for(scenes[i]);
         if (!natural) return false;
-        target = aim_beside(*natural, before, known, fineness.offsets);
+        target = aim_beside(*natural, before, known, straight.offsets);
         return true;
       },
       [&](auto kernel, const Targets& targets, Extremals& eight) {
-        kernel.shoot(targets, fineness, eight);
+        kernel.shoot(targets, straight, eight);
       });
 }
 

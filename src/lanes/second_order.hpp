@@ -30,6 +30,8 @@ class FreeNeighbours {
 
   /// So much of the way has too little between neighbours to be seen.
   static constexpr double kUnseen = 0.0;
+  /// Of the determinant before a conjugate point; 0: as it begins.
+  static constexpr double kSign = 0.0;
 
   /// \param slope    by how much a stack changes with u or with a share of it
   /// \param problem  FallingLanes
@@ -103,6 +105,9 @@ class BrakedNeighbours {
   // drag: at an eighth of the way, 1/64 of the path, from 1e-5 of the latter,
   // before from less than rounding leaves.
   static constexpr double kUnseen = 0.125;
+  // That of three steps against Legendre's ∂²𝓗/∂β² > 0: in thin air what begins
+  // may be truncation.
+  static constexpr double kSign = -1.0;
 
   BrakedNeighbours(const Stack& at, const Stack& slope, const auto& problem,
                    const Number& c, const Number& s)
@@ -178,14 +183,15 @@ class BrakedNeighbours {
   Vector x_, z_, lost_, p_w_, p_theta_;
 };
 
-/// The determinant on the way.
+/// The determinant on the way; what is no number stays.
 template <class Number>
 struct Jacobi {
-  Number first{0.0}, least{std::numeric_limits<double>::infinity()};
+  Number first;  ///< of its sign; 0: the first that is seen
+  Number least{std::numeric_limits<double>::infinity()}, last{0.0};
   void see(const Number& now) {
     first = where(Number(first * first) > Number(0.0), first, now);
-    const Number same = where(first > Number(0.0), now, Number(-now));
-    least = where(same > least, least, same);
+    last = where(first > Number(0.0), now, Number(-now));
+    least = where(last < least, last, least) + (last - last);
   }
 };
 

@@ -16,12 +16,18 @@ namespace brachisto {
 
 namespace {
 
+/// For less of T own solves have first derivatives with more digits than lanes:
+/// see LaneRates.
+constexpr double kLeastOfRates = 1e-10;
+
 bool fits(const SceneToSolve& posed) {
   const auto* program = posed.options.of<Collocation>();
   return program != nullptr && program->in_lanes &&
          posed.options.follows_the_branch() &&
          program->certify == Certify::None &&
          program->sensitivities != SensitivityOrder::Second &&
+         (program->sensitivities == SensitivityOrder::None ||
+          program->discretisation.wanted_tolerance() >= kLeastOfRates) &&
          program->discretisation.formulation == Formulation::RollingTime &&
          !program->discretisation.fixed() && !program->discretisation.degree &&
          lanes::fits(posed.scene) && validate(posed.scene).empty() &&

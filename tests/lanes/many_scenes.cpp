@@ -164,6 +164,27 @@ TEST(ManyScenes, HaveInThinAirTheSecondDerivativeOfFreeOnes) {
   }
 }
 
+/// Of a determinant that goes as the air squared truncation and rounding leave
+/// nothing: its sign would be theirs, of a saddle as of a minimum.
+TEST(ManyScenes, SayNothingOfTheSecondOrderInAirThatIsTooThinForIt) {
+  const std::vector<Scene> scenes = random_scenes(24);
+  std::vector<Scene> thin = scenes;
+  for (Scene& scene : thin) scene.world.air = {1e-6, 0.0};
+
+  for (const Fineness& fineness : {kPlain, kFine}) {
+    const std::vector<Extremal> free = shoot(scenes, fineness),
+                                braked = shoot(thin, fineness);
+
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+      EXPECT_FALSE(braked[i].found) << i;
+      // Apart from that it is the same extremal.
+      if (!free[i].found) continue;
+      EXPECT_NEAR(braked[i].transit_time / free[i].transit_time, 1.0, 1e-5)
+          << i;
+    }
+  }
+}
+
 TEST(ManyScenes, LeaveOutWhatIsNotFreeAndWhatHasNoCycloid) {
   std::vector<Scene> scenes = random_scenes(3);
   scenes[0].limits.friction = 0.5;

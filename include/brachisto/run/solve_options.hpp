@@ -157,8 +157,8 @@ enum class ProgramSolver {
 struct Collocation {
   Discretisation discretisation = {};
   ProgramSolver solver = ProgramSolver::Ipopt;
-  /// A sweep may solve a free scene side by side with others by the indirect
-  /// method instead, where that is as accurate as wanted.
+  /// Rolling bodies in the uniform field, in air or not, may be solved by lanes
+  /// where those are as accurate as wanted (docs/sweeps.md, "Side by side").
   bool in_lanes = false;
   LinearSolver linear_solver = LinearSolver::Auto;
   int threads = 1;  ///< of the chain's factorisations, to kMostThreads

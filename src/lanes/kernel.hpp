@@ -325,7 +325,7 @@ void Shooting<Set, Count, Where>::finish(Extremals& out) {
   const Shot& finest = kBraked ? first : whole;
   if constexpr (kBraked) {
     // The determinant goes as the drag squared: it is seen where doubled steps
-    // change little of it, and more than rounding.
+    // change little of it, and it is more than rounding.
     constexpr double kSeen = 0.1;
     const Number changed = abs(first.last_jacobian - whole.last_jacobian) +
                            Number(kUlp * steps);

@@ -36,7 +36,7 @@ Solution solved(const Scene& scene, Search search) {
 }
 
 /// The branch with that τ, to its own error and what is known of the other.
-const Branch* find_branch(const Solution& solution, double tau, double digits) {
+const Branch* branch_with(const Solution& solution, double tau, double digits) {
   const auto one =
       std::ranges::find_if(solution.branches, [&](const Branch& branch) {
         return std::abs(branch.tau - tau) <=
@@ -72,7 +72,7 @@ TEST(LimitedSearch, FindsBothWaysOfABeadRoundADisc) {
   ASSERT_TRUE(found.verified()) << found.message;
   EXPECT_NEAR(found.motion()->tau(), kUnder,
               kDigits + *found.estimated_error * kUnder);
-  const Branch* over = find_branch(found, kOver, kDigits);
+  const Branch* over = branch_with(found, kOver, kDigits);
   ASSERT_NE(over, nullptr);
   EXPECT_TRUE(over->verified);
   EXPECT_TRUE(over->minimum);
@@ -100,7 +100,7 @@ TEST(LimitedSearch, FindsTheFreeContactsUnderABoundThatIsFarOff) {
 
   ASSERT_TRUE(found.verified()) << found.message;
   for (const double tau : {5.424799, 5.566444}) {
-    const Branch* branch = find_branch(found, tau, kSixDecimals);
+    const Branch* branch = branch_with(found, tau, kSixDecimals);
     ASSERT_NE(branch, nullptr) << tau;
     EXPECT_TRUE(branch->verified) << tau;
   }
@@ -141,8 +141,8 @@ TEST(LimitedSearch, SeeksTheOtherWaysBesideANeighbourToo) {
   const Solution found = solve(scene, options, {.neighbour = neighbour.get()});
 
   ASSERT_TRUE(found.verified()) << found.message;
-  EXPECT_NE(find_branch(found, kOver, kDigits), nullptr);
-  EXPECT_NE(find_branch(found, kUnder, kDigits), nullptr);
+  EXPECT_NE(branch_with(found, kOver, kDigits), nullptr);
+  EXPECT_NE(branch_with(found, kUnder, kDigits), nullptr);
   EXPECT_EQ(found.as_neighbour(), nullptr);
 }
 

@@ -34,7 +34,7 @@ json rows_of(const ScratchDirectory& scratch, const std::string& name) {
       .at("rows");
 }
 
-class SweepInLanesOf : public testing::TestWithParam<const char*> {};
+class SweepInLanesOf : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(SweepInLanesOf, HasTheAnswersOfTheScenesOwnSolves) {
   const ScratchDirectory scratch;
@@ -71,8 +71,8 @@ TEST_P(SweepInLanesOf, HasTheAnswersOfTheScenesOwnSolves) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Worlds, SweepInLanesOf,
-                         testing::Values("scene.air.linear=0",
-                                         "scene.air.linear=0.2"),
+                         ::testing::Values("scene.air.linear=0",
+                                           "scene.air.linear=0.2"),
                          [](const auto& one) {
                            return one.index == 0 ? "Free" : "InAir";
                          });

@@ -119,8 +119,14 @@ using Figure = std::function<double(const TrajectoryPoint&)>;
 double normal_force(const TrajectoryPoint& p) {
   return p.motion.R_n;
 }
+double less_normal_force(const TrajectoryPoint& p) {
+  return -p.motion.R_n;
+}
 double curvature(const TrajectoryPoint& p) {
   return p.motion.kappa_b;
+}
+double less_curvature(const TrajectoryPoint& p) {
+  return -p.motion.kappa_b;
 }
 double fold_margin(const TrajectoryPoint& p) {
   return p.motion.fold_margin;
@@ -166,17 +172,14 @@ Rows sample_path(const Motion& motion) {
   return rows;
 }
 
-/// A figure of the path at its samples, the first one replaced by its limit. It
-/// stands for what is next to the start too: there curvature is a quotient of
-/// what vanishes, and a search would find how far its rounding goes.
+/// A figure of the path at its samples, the first one replaced by its limit.
 std::vector<math::Sample> samples_of(const Rows& rows, double at_start,
                                      const Figure& f) {
-  constexpr double kNext = 0.5;  // of the first step
   std::vector<math::Sample> samples;
   samples.reserve(rows.size());
   for (const TrajectoryPoint& row : rows)
     samples.push_back({row.sigma, f(row)});
-  samples.front() = {std::lerp(rows[0].sigma, rows[1].sigma, kNext), at_start};
+  samples.front().value = at_start;
   return samples;
 }
 
@@ -207,9 +210,8 @@ Extreme infimum(const Motion& motion, const Rows& rows, double at_start,
 }
 
 Extreme supremum(const Motion& motion, const Rows& rows, double at_start,
-                 const Figure& f) {
-  Extreme extreme = infimum(motion, rows, -at_start,
-                            [&](const TrajectoryPoint& p) { return -f(p); });
+                 const Figure& negative) {
+  Extreme extreme = infimum(motion, rows, -at_start, negative);
   extreme.value = -extreme.value;
   return extreme;
 }
@@ -281,13 +283,13 @@ PathDiagnostics Motion::diagnose() const {
   // The slope that a mesh finds at the start is not quite the one that it has
   // to be, and R_n next to it is off by as much as it is there.
   out.normal_force_error = std::abs(rows.front().motion.R_n - force);
-  out.max_normal_force = supremum(*this, rows, force, normal_force);
+  out.max_normal_force = supremum(*this, rows, force, less_normal_force);
   out.normal_force_after_rise = after_rise(*this, rows, force, normal_force);
   out.min_fold_margin =
       infimum(*this, rows, out.at_start.fold_margin, fold_margin);
   const double kappa = out.at_start.curvature;
   out.min_curvature = infimum(*this, rows, kappa, curvature);
-  out.max_curvature = supremum(*this, rows, kappa, curvature);
+  out.max_curvature = supremum(*this, rows, kappa, less_curvature);
   out.curvature_after_rise = after_rise(*this, rows, kappa, curvature);
   if (!(out.min_fold_margin.value > 0.0)) {
     out.min_curvature = {-kInfinity, out.min_fold_margin.x};

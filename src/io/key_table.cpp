@@ -266,25 +266,24 @@ constexpr auto kHasLosses = stated_place<has_losses>(world);
 
 /// \param row  in kWorldParameters
 Binding world_number(std::size_t row) {
-  return {
-      .type = KeyType::Number,
-      .number =
-          [](const Draft& p, Binding::Row i) {
-            const double* number = kWorldParameters[i].find(p.scene.world);
-            return number ? std::optional(*number) : std::nullopt;
-          },
-      .put =
-          [](Draft& p, double value, Binding::Row i) {
-            const WorldParameter& parameter = kWorldParameters[i];
-            World& into = p.scene.world;
-            for (const FieldKind& kind : kFieldKinds) {
-              if (below(parameter.key, kind.key) && !kind.stands_in(into)) {
-                kind.put_into(into);
-              }
-            }
-            *parameter.find_in(into) = value;
-          },
-      .row = row};
+  return {.type = KeyType::Number,
+          .number =
+              [](const Draft& p, Binding::Row i) {
+                const double* number = kWorldParameters[i].find(p.scene.world);
+                return number ? std::optional(*number) : std::nullopt;
+              },
+          .put =
+              [](Draft& p, double value, Binding::Row i) {
+                const WorldParameter& parameter = kWorldParameters[i];
+                World& into = p.scene.world;
+                for (const FieldKind& kind : kFieldKinds) {
+                  if (below(parameter.key, kind.key) && !kind.stands_in(into)) {
+                    kind.put_into(into);
+                  }
+                }
+                *parameter.find_in(into) = value;
+              },
+          .row = row};
 }
 
 /// A map of those numbers, where the world has its field.

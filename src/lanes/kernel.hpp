@@ -327,8 +327,8 @@ void Shooting<Set, Count, Where>::finish(Extremals& out) {
     // The determinant goes as the drag squared: it is seen where doubled steps
     // change little of it, and it is more than rounding.
     constexpr double kSeen = 0.1;
-    const Number changed = abs(first.last_jacobian - whole.last_jacobian) +
-                           Number(kUlp * steps);
+    const Number changed =
+        abs(first.last_jacobian - whole.last_jacobian) + Number(kUlp * steps);
     good_ = good_ & (changed < Number(first.last_jacobian * kSeen));
   }
   good_ = good_ & (finest.least_jacobian > Number(0.0)) &

@@ -133,12 +133,14 @@ class LimitedSolve {
     while (!settled() && goes_elsewhere()) {
       path = read_off();
       if (!settled()) path = bracketed();
+      // That one way is shut is no verdict where another one is open.
+      const bool shut = !tightened || status == Status::NoSmoothContact;
+      if (!path && shut && protocol_.status != status) {
+        status = Status::NotConverged;
+        message = only_on_coarse_mesh();
+      }
     }
     const bool said = path || protocol_.status == Status::NoFastestTrack;
-    if (!tightened && tightening_->tight()) {
-      status = Status::NotConverged;
-      message = only_on_coarse_mesh();
-    }
     if (!said && !protocol_.stop.met()) {
       protocol_.fail(status, message);  // of the first attempt that has one
     }

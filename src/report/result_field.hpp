@@ -41,9 +41,7 @@ struct Written {
 template <class Value>
 struct Written<std::optional<Value>> {
   static constexpr std::string_view kType = Written<Value>::kType;
-  static Json json(const std::optional<Value>& value) {
-    return or_null(value);
-  }
+  static Json json(const std::optional<Value>& value) { return or_null(value); }
 };
 
 /// A key of what is told of a `Source`; null is written for what it lacks.

@@ -68,8 +68,9 @@ void record_loosened(const PosedProblem& posed,
       if (by == 0.0 || (more > 0.0 && !nearby.knows_arcs())) continue;
       const PosedProblem problem = with_scene(posed, loosened(posed.asked, by));
       Solution found = within_limits(problem, [&](Solution& there) {
-        if (!nearby.knows_arcs())
+        if (!nearby.knows_arcs()) {
           return conclude(problem, nearby, kSolvedWithoutArcs, there);
+        }
         const auto beside = refine_limited_beside(
             *problem.limited, problem.program.discretisation, nearby.path,
             problem.mesh_options_after(there.effort), kMostSearchWork - work);
@@ -78,8 +79,9 @@ void record_loosened(const PosedProblem& posed,
         conclude(problem, *beside, there);
       });
       out.effort += found.effort;
-      if (found.verified())
+      if (found.verified()) {
         out.relaxed = std::make_shared<const Solution>(std::move(found));
+      }
     }
   }
 }

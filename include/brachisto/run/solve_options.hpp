@@ -296,7 +296,7 @@ struct Branch {
   double estimated_error = 0.0;     ///< relative
   double end_angle = 0.0;           ///< [rad]
   double centre_path_length = 0.0;  ///< [m]
-  bool principal = false;  ///< what Search::Principal leads to
+  bool principal = false;           ///< what Search::Principal leads to
   bool verified = false;
   bool minimum = false;  ///< second-order sufficiency at fixed φ
   bool feasible = false;

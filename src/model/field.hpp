@@ -133,6 +133,16 @@ template <class Scalar>
                   Scalar(z + sin(theta) * r_m));
 }
 
+/// G·(cosine, sine) of that field, with one product where it is uniform.
+template <class Scalar>
+[[nodiscard]] Scalar pull_along(const Scene& scene, const Pull<Scalar>& G,
+                                const Scalar& cosine, const Scalar& sine) {
+  if (!scene.world.field_varies()) {
+    return sine * math::ConstantOf<Scalar>(scene.gravity);
+  }
+  return G.x * cosine + G.z * sine;
+}
+
 /// Drag on the centre per mass, c₁ v + c₂ v².
 template <class Scalar>
 [[nodiscard]] Scalar drag(const Air& air, const Scalar& v) {
@@ -160,7 +170,7 @@ template <class Scalar>
     along_x = along_x - sin(theta) * body.eta_m;
     along_z = along_z + cos(theta) * body.eta_m;
   }
-  Scalar gain = G.x * along_x + G.z * along_z;
+  Scalar gain = pull_along(scene, G, along_x, along_z);
   if (scene.world.air.any()) {
     gain = gain - drag(scene.world.air, Scalar(w / root));
   }
@@ -175,10 +185,10 @@ template <class Scalar>
   using std::cos;
   using std::sin;
   const Pull<Scalar> G = pull_on(scene, x, z, theta);
-  return losses::speed_gain(scene.body, scene.world.losses.factor(scene.body),
-                            theta, beta, w, root,
-                            work_gain(scene, x, z, theta, w, beta, root),
-                            Scalar(G.z * cos(beta) - G.x * sin(beta)));
+  return losses::speed_gain(
+      scene.body, scene.world.losses.factor(scene.body), theta, beta, w, root,
+      work_gain(scene, x, z, theta, w, beta, root),
+      pull_along(scene, G, Scalar(-sin(beta)), Scalar(cos(beta))));
 }
 
 /// dw/du: work_gain(), and with losses the rate of the state that stands for w

@@ -65,7 +65,7 @@ lossless_contact_force(const Scene& scene, const TurningPoint<Scalar>& at) {
   const Constant per_g = Constant(1.0) / scene.gravity;
   const Pull<Scalar> G = pull_on(scene, at.x, at.z, at.theta);
   const Scalar cos_beta = cos(at.beta), sin_beta = sin(at.beta);
-  const Scalar pressing = G.z * cos_beta - G.x * sin_beta;
+  const Scalar pressing = pull_along(scene, G, Scalar(-sin_beta), cos_beta);
   if (!body.off_centred()) {
     const auto A = axisymmetric_inertia_factor<Constant>(body);
     const Scalar gain =
@@ -82,7 +82,7 @@ lossless_contact_force(const Scene& scene, const TurningPoint<Scalar>& at) {
   const Scalar root = air ? sqrt(A) : Scalar(1.0);  // of matter in air alone
   const Scalar gain =
       work_gain(scene, at.x, at.z, at.theta, at.w, at.beta, root);
-  Scalar pulling = G.x * cos_beta + G.z * sin_beta;
+  Scalar pulling = pull_along(scene, G, cos_beta, sin_beta);
   if (air) pulling = pulling - drag(scene.world.air, Scalar(at.w / root));
   const Scalar per_A = Scalar(1.0) / A;
   const Scalar spin = at.w * (Constant(1.0) / body.radius);

@@ -258,7 +258,7 @@ class Turning : public Moving {
   /// Where it does not depend on the place: with derivatives by θ, w, β and q
   /// alone, which are half as many.
   template <class Jet>
-  [[nodiscard]] ContactForce<Jet> force_anywhere(
+  [[nodiscard, gnu::flatten]] ContactForce<Jet> force_anywhere(
       const TurningPoint<Jet>& at) const {
     constexpr int kFew = 4;
     using Few = math::Jet2<double, kFew>;

@@ -148,7 +148,7 @@ double junction_residual(const LimitedCurve& curve,
     constexpr double kStep = 1e-2;
     const auto value = [&](double t) {
       return value_of(problem.limits()[before.touch->limit], scene,
-                      curve.at(element, t).state);
+                      curve.state_at(element, t));
     };
     const auto across = [&](double by) {
       return value(1.0 + by) - value(1.0 - by);

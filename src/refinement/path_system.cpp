@@ -39,7 +39,7 @@ double end_defect_of_x(const LimitedCurve& curve) {
     defect += problem.scheme().derivative(p - 1, n) *
               curve.point().x[at(layout.state(first + n, StateComponent::X))];
   }
-  const TurningPoint<double> end = curve.at(element, 1.0).state;
+  const TurningPoint<double> end = curve.state_at(element, 1.0);
   return defect - problem.mesh().length(element) * curve.rolling_time() *
                       (end.w * std::cos(end.beta));
 }
@@ -111,7 +111,7 @@ Eigen::VectorXd PathSystem::open_at(LimitedCurve there,
     if (!arc.touch) continue;
     const PathInequality& limit = problem.limits()[arc.touch->limit];
     open[next++] =
-        value_of(limit, problem.scene(), there.at(element - 1, 1.0).state) -
+        value_of(limit, problem.scene(), there.state_at(element - 1, 1.0)) -
         bound_of(limit, arc.touch->at);
   }
   if (next < open.size()) open[next] = end_defect_of_x(there);

@@ -97,14 +97,14 @@ void check_energy(const LimitedCurve& curve, double threshold,
   for (int e = 0; e < mesh.num_elements(); ++e) {
     check_stop(e);
     for (std::size_t i = 0; i < rule.points.size(); ++i) {
-      const TurningPoint<double> at = curve.at(e, rule.points[i]).state;
+      const TurningPoint<double> at = curve.state_at(e, rule.points[i]);
       const double ds =
           rule.weights[i] * mesh.length(e) * curve.rolling_time() * at.w;
       lost += ds * (drag(world.air, speed(at)) +
                     world.losses.factor(scene.body) * scene.gravity *
                         contact_force(scene, at).normal);
     }
-    const TurningPoint<double> at = curve.at(e, 1.0).state;
+    const TurningPoint<double> at = curve.state_at(e, 1.0);
     const double gained = kinetic(at) - kinetic(start);
     const double work = potential_fall(scene, heavy(start), heavy(at)) - lost;
     drift.see(std::abs(gained - work) / (scene.gravity * scene.H),

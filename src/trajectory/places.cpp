@@ -74,7 +74,7 @@ std::array<double, 2> rates_at(const LimitedCurve& curve, const Place& touch) {
   const Scene& scene = curve.problem().scene();
   const auto value = [&](double t) {
     return value_of(curve.problem().limits()[at(touch.limit)], scene,
-                    curve.at(touch.element, t).state);
+                    curve.state_at(touch.element, t));
   };
   const double near = value(1.0 + kStep), far = value(1.0 + 2.0 * kStep);
   const double back = value(1.0 - kStep), rear = value(1.0 - 2.0 * kStep);
@@ -153,7 +153,7 @@ class Places {
   [[nodiscard]] bool jumps_at(int element) const {
     const auto& held = problem_.held()->in_element;
     return opposite(problem_, held[at(element)], held[at(element + 1)],
-                    curve_.at(element, 1.0).state);
+                    curve_.state_at(element, 1.0));
   }
 
   /// The element before grows, the one behind shrinks.

@@ -56,7 +56,7 @@ class LimitedPath {
   [[nodiscard]] const Scene& scene_in(int) const { return scene(); }
   /// But for s.
   [[nodiscard]] PathByPlace::Place at(int e, double t) const {
-    const TurningPoint<double> path = curve_.at(e, t).state;
+    const TurningPoint<double> path = curve_.state_at(e, t);
     const double hU = share(e) * curve_.rolling_time();
     return {0.0, direction_of(path.beta), hU * path.q, hU * path.w};
   }
@@ -286,14 +286,14 @@ State started(const LimitedCurve& curve, double place) {
   const LimitedTime& problem = curve.problem();
   const Scene& scene = problem.scene();
   const Body& body = scene.body;
-  const TurningPoint<double> rest = curve.at(0, 0.0).state;
+  const TurningPoint<double> rest = curve.state_at(0, 0.0);
   const math::QuadratureRule rule =
       math::gauss_legendre(problem.scheme().degree + 1);
   const double hU = problem.mesh().length(0) * curve.rolling_time();
   double fallen = 0.0, work = 0.0;
   State y{0.0, 0.0, 0.0, rest.x, rest.z};
   for (std::size_t i = 0; i < rule.points.size(); ++i) {
-    const auto at = curve.at(0, place * rule.points[i]).state;
+    const auto at = curve.state_at(0, place * rule.points[i]);
     const double du = hU * place * rule.weights[i];
     y[kT] += du * root_of_inertia(scene, at.theta, at.beta);
     y[kS] += du * at.w;
@@ -302,7 +302,7 @@ State started(const LimitedCurve& curve, double place) {
     work += du * at.w * speed_gain(scene, at);
   }
   y[kZ] += fallen;
-  const TurningPoint<double> here = curve.at(0, place).state;
+  const TurningPoint<double> here = curve.state_at(0, place);
   const double w =
       problem.pushed() ? here.w
       : scene.world.changes_rates()
@@ -324,7 +324,7 @@ Reintegration reintegrate(const LimitedCurve& curve) {
   double worst = 0.0, worst_at = 0.0;
   const MotionEnd end = journey.travel(begin, [&](int e, double t) {
     const State& y = journey.state();
-    TurningPoint<double> place = curve.at(e, t).state;
+    TurningPoint<double> place = curve.state_at(e, t);
     place.w = y[kV] * root_of_inertia(scene, place.theta, place.beta);
     place.x = y[kX];
     place.z = y[kZ];

@@ -144,7 +144,7 @@ LimitedMotion::Passed LimitedMotion::within(int element, double t) const {
       curve_.problem().mesh().length(element) * curve_.rolling_time();
   Passed sum;
   for (std::size_t i = 0; i < rule_.points.size(); ++i) {
-    const auto state = curve_.at(element, t * rule_.points[i]).state;
+    const auto state = curve_.state_at(element, t * rule_.points[i]);
     const double weight = hU * t * rule_.weights[i];
     sum.t += weight * root_of_inertia(natural(), state.theta, state.beta);
     sum.s += weight * state.w;
@@ -153,7 +153,7 @@ LimitedMotion::Passed LimitedMotion::within(int element, double t) const {
 }
 
 MeshMotion::Place LimitedMotion::place(int element, double t) const {
-  const TurningPoint<double> state = curve_.at(element, t).state;
+  const TurningPoint<double> state = curve_.state_at(element, t);
   const Passed before = begins_[brachisto::at(element)],
                more = within(element, t);
   const double s = before.s + more.s;
@@ -174,7 +174,7 @@ StartLimits LimitedMotion::limits_at_start() const {
     return start_limits(natural(), start);
   }
   const TurningPoint<double> first =
-      curve_.at(0, problem.scheme().rule.points.front()).state;
+      curve_.state_at(0, problem.scheme().rule.points.front());
   return start_limits_of_curvature(natural(), start, first.q / first.w);
 }
 

@@ -153,7 +153,7 @@ Excess LimitedCurve::excess_on(int element, double& sigma) const {
   const auto look = [&](double t) {
     const Excess here =
         worst_excess(t > 0.0 || at_rest.empty() ? problem_->limits() : at_rest,
-                     problem_->scene(), at(element, t).state);
+                     problem_->scene(), state_at(element, t));
     // Written so that a NaN stays.
     if (!(here.value <= worst.value) && !std::isnan(worst.value)) {
       worst = here;
@@ -212,53 +212,64 @@ double LimitedCurve::corner_multiplier() const {
   return opens ? by_slope : -by_slope;
 }
 
+TurningPoint<double> LimitedCurve::state_at(int element, double t) const {
+  const VariableLayout& layout = problem_->layout();
+  const CollocationScheme& scheme = problem_->scheme();
+  const int p = scheme.degree;
+  const int first = element * p;
+  std::array<double, kLargestDegree + 1> basis;
+  const std::span<double> of_nodes(basis.data(), brachisto::at(p + 1));
+  scheme.nodes.evaluate(t, of_nodes);
+  const auto state = [&](StateComponent component) {
+    double sum = 0.0;
+    for (int n = 0; n <= p; ++n) {
+      sum += of_nodes[brachisto::at(n)] *
+             point_->x[brachisto::at(layout.state(first + n, component))];
+    }
+    return sum;
+  };
+  TurningPoint<double> out{state(X), state(Z), 0.0, state(W), state(Beta), 0.0};
+  if (layout.has_theta()) out.theta = state(Theta);
+  const std::span<double> of_points(basis.data(), brachisto::at(p));
+  scheme.points.evaluate(t, of_points);
+  for (int j = 0; j < p; ++j) {
+    out.q += of_points[brachisto::at(j)] *
+             point_->x[brachisto::at(layout.control(first + j))] /
+             problem_->mesh().length(element);
+  }
+  return out;
+}
+
 LimitedPoint LimitedCurve::at(int element, double t) const {
   const VariableLayout& layout = problem_->layout();
   const CollocationScheme& scheme = problem_->scheme();
   const int p = scheme.degree;
   const int first = element * p;
-  std::array<double, kLargestDegree + 1> of_nodes;
-  std::array<double, kLargestDegree> of_points;
-  const std::span<double> node_values(of_nodes.data(), brachisto::at(p + 1));
-  const std::span<double> point_values(of_points.data(), brachisto::at(p));
-  scheme.nodes.evaluate(t, node_values);
-  scheme.points.evaluate(t, point_values);
-  const auto state = [&](StateComponent component) {
-    double sum = 0.0;
-    for (int n = 0; n <= p; ++n) {
-      sum += node_values[brachisto::at(n)] *
-             point_->x[brachisto::at(layout.state(first + n, component))];
-    }
-    return sum;
-  };
+  std::array<double, kLargestDegree> basis;
+  const std::span<double> of_points(basis.data(), brachisto::at(p));
+  scheme.points.evaluate(t, of_points);
   const auto costate = [&](StateComponent component) {
     double sum = 0.0;
     for (int j = 0; j < p; ++j) {
       sum -=
-          point_values[brachisto::at(j)] *
+          of_points[brachisto::at(j)] *
           point_->lambda[brachisto::at(layout.defect(first + j, component))] /
           scheme.rule.weights[brachisto::at(j)];
     }
     return sum;
   };
   LimitedPoint out;
-  out.state = {state(X), state(Z), 0.0, state(W), state(Beta), 0.0};
+  out.state = state_at(element, t);
   out.p = {costate(X), costate(Z), 0.0, costate(W)};
-  if (layout.has_theta()) {
-    out.state.theta = state(Theta);
-    out.p.p_theta = costate(Theta);
-  }
+  if (layout.has_theta()) out.p.p_theta = costate(Theta);
   out.p_beta = costate(Beta);
   const double hU = problem_->mesh().length(element) * rolling_time();
   out.multipliers.assign(brachisto::at(layout.num_limits()), 0.0);
   for (int j = 0; j < p; ++j) {
-    const double weight = point_values[brachisto::at(j)];
-    out.state.q += weight *
-                   point_->x[brachisto::at(layout.control(first + j))] /
-                   problem_->mesh().length(element);
     for (int i = 0; i < layout.num_limits(); ++i) {
       out.multipliers[brachisto::at(i)] +=
-          weight * point_->lambda[brachisto::at(layout.limit(first + j, i))] /
+          of_points[brachisto::at(j)] *
+          point_->lambda[brachisto::at(layout.limit(first + j, i))] /
           (hU * scheme.rule.weights[brachisto::at(j)]);
     }
   }

@@ -80,6 +80,7 @@ class LimitedCurve {
   /// the corner, what holds the control going on to: not negative in a minimum.
   [[nodiscard]] double corner_multiplier() const;
   /// At the place t ∈ [0, 1] of an element.
+  [[nodiscard]] TurningPoint<double> state_at(int element, double t) const;
   [[nodiscard]] LimitedPoint at(int element, double t) const;
   [[nodiscard]] LimitedPoint at(double sigma) const;
 

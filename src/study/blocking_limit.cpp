@@ -24,7 +24,9 @@ namespace {
 struct Miss {
   const StatedLimit* limit = nullptr;
   double slack = std::numeric_limits<double>::infinity();
+  double x = 0.0;         ///< x_b where it is least [m]
   double friction = 0.0;  ///< the largest μ needed; ∞ where R_n ≤ 0
+  double x_of_friction = 0.0;
 };
 
 Miss worst(const std::vector<StatedLimit>& limits, const LimitedMotion& motion,
@@ -46,13 +48,17 @@ Miss worst(const std::vector<StatedLimit>& limits, const LimitedMotion& motion,
       const double slack = limit.slack(at);
       if (slack < miss.slack) {
         miss.slack = slack;
+        miss.x = at.motion.contact.x;
         miss.limit = &limit;
       }
-      miss.friction =
-          std::max(miss.friction,
-                   at.motion.R_n > 0.0
-                       ? std::abs(at.motion.R_t) / (wall_ratio * at.motion.R_n)
-                       : std::numeric_limits<double>::infinity());
+      const double friction =
+          at.motion.R_n > 0.0
+              ? std::abs(at.motion.R_t) / (wall_ratio * at.motion.R_n)
+              : std::numeric_limits<double>::infinity();
+      if (friction > miss.friction) {
+        miss.friction = friction;
+        miss.x_of_friction = at.motion.contact.x;
+      }
     }
   }
   return miss;
@@ -86,20 +92,23 @@ std::string in_words(const PosedProblem& posed, const BlockingLimit& blocking) {
   const bool of_friction = limit.name == "friction";
   std::string text = fmt::format("; the tightest is {}", limit.name);
   if (of_friction && miss.friction > *limit.bound) {
-    text +=
-        fmt::format(": {:.6g} is asked for, and the path that came nearest {}",
-                    *limit.bound,
-                    std::isfinite(miss.friction)
-                        ? fmt::format("needs {:.3g}", miss.friction)
-                        : "lifts off");
+    text += fmt::format(
+        ": {:.6g} is asked for, and the path that came nearest {} "
+        "at x_b = {:.3g} m",
+        *limit.bound,
+        std::isfinite(miss.friction)
+            ? fmt::format("needs {:.3g}", miss.friction)
+            : "lifts off",
+        miss.x_of_friction);
   } else if (!of_friction && miss.slack < 0.0) {
     const std::string_view unit = limit.words ? limit.words->unit : "m";
-    text +=
-        fmt::format("{}, which the path that came nearest misses by {:.3g}{}{}",
-                    limit.bound ? fmt::format(": {:.6g}{}{}", *limit.bound,
-                                              unit.empty() ? "" : " ", unit)
-                                : "",
-                    -miss.slack, unit.empty() ? "" : " ", unit);
+    text += fmt::format(
+        "{}, which the path that came nearest violates by "
+        "{:.3g}{}{} at x_b = {:.3g} m",
+        limit.bound ? fmt::format(": {:.6g}{}{}", *limit.bound,
+                                  unit.empty() ? "" : " ", unit)
+                    : "",
+        -miss.slack, unit.empty() ? "" : " ", unit, miss.x);
   }
   return text + ". To try: " + advice(posed.asked, limit, of_friction);
 }

@@ -64,6 +64,15 @@ Miss worst(const std::vector<StatedLimit>& limits, const LimitedMotion& motion,
   return miss;
 }
 
+/// A contact whose slopes are free, and what it takes; nothing of a bead.
+std::string optimal_contact(const Scene& scene, bool as_limited) {
+  if (!scene.body.rolls() || scene.contact != Contact::Smooth) return {};
+  Scene optimal = scene;
+  optimal.contact = Contact::Optimal;
+  if (validate(optimal).empty()) return "contact: optimal";
+  return as_limited ? "" : "contact: optimal, with limits.curvature";
+}
+
 std::string advice(const Scene& scene, const StatedLimit& limit,
                    bool of_friction) {
   const bool of_normal = limit.name.starts_with("normal_force");
@@ -72,14 +81,8 @@ std::string advice(const Scene& scene, const StatedLimit& limit,
     out += ", a smaller eta_m";
   }
   if (of_friction) out += ", a longer L";
-  Scene optimal = scene;
-  optimal.contact = Contact::Optimal;
-  optimal.end_slope.reset();
-  if (scene.body.rolls() && scene.contact == Contact::Smooth &&
-      validate(optimal).empty()) {
-    out += ", contact: optimal";
-  }
-  return out;
+  const std::string optimal = optimal_contact(scene, true);
+  return optimal.empty() ? out : out + ", " + optimal;
 }
 
 /// "; the tightest is friction: …".
@@ -129,6 +132,9 @@ std::string advice_without_answer(const PosedProblem& posed,
   std::string text;
   if (refinement.blocking) {
     text = in_words(posed, *refinement.blocking);
+  } else if (refinement.status == Status::NoSmoothContact) {
+    const std::string optimal = optimal_contact(posed.asked, false);
+    if (!optimal.empty()) text = ". To try: " + optimal;
   } else if (refinement.status == Status::NotConverged ||
              refinement.status == Status::NoAdmissiblePath) {
     const std::string looser = looser_limits(posed.asked);

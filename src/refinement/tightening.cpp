@@ -315,7 +315,8 @@ bool Tightening::none_found() {
                            "the limits"
                          : "no path was found that keeps the limits";
   if (budget_ == 0) {
-    text += fmt::format(" ({} iterations used up)", ipopt_.max_iterations);
+    text += fmt::format(" ({} iterations used up: solver.limits.iterations)",
+                        ipopt_.max_iterations);
   } else if (!give_way_for_good_ && !protocol_.message.empty()) {
     text += fmt::format(" ({})", protocol_.message);
   }

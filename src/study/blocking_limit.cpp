@@ -19,6 +19,9 @@ namespace brachisto {
 
 namespace {
 
+const std::string kOtherMesh =
+    "a finer mesh, or none (discretisation.elements or nodes)";
+
 /// What was asked for and what came nearest. Next to rest curvatures are those
 /// of a quotient 0/0: the first twentieth is left out, as of the free path.
 struct Miss {
@@ -73,19 +76,26 @@ std::string optimal_contact(const Scene& scene, bool as_limited) {
   return as_limited ? "" : "contact: optimal, with limits.curvature";
 }
 
-std::string advice(const Scene& scene, const StatedLimit& limit,
-                   bool of_friction) {
-  const bool of_normal = limit.name.starts_with("normal_force");
-  std::string out = limit.looser;
-  if ((of_friction || of_normal) && scene.body.off_centred()) {
-    out += ", a smaller eta_m";
+/// Any of what follows may help, if these limits are in the way.
+std::string advice(const Scene& scene,
+                   const std::vector<StatedLimit>& in_the_way) {
+  bool of_friction = false, of_forces = false;
+  std::vector<std::string> ways;
+  for (const StatedLimit& limit : in_the_way) {
+    ways.push_back(limit.looser);
+    of_friction = of_friction || limit.name == "friction";
+    of_forces = of_forces || limit.name.starts_with("normal_force");
   }
-  if (of_friction) out += ", a longer L";
+  if ((of_friction || of_forces) && scene.body.off_centred()) {
+    ways.emplace_back("a smaller eta_m");
+  }
+  if (of_friction) ways.emplace_back("a longer L");
   const std::string optimal = optimal_contact(scene, true);
-  return optimal.empty() ? out : out + ", " + optimal;
+  if (!optimal.empty()) ways.push_back(optimal);
+  return fmt::format("{}", fmt::join(ways, ", "));
 }
 
-/// "; the tightest is friction: …".
+/// ". The tightest limit is friction: …".
 std::string in_words(const PosedProblem& posed, const BlockingLimit& blocking) {
   const LimitedMotion motion(blocking.nearest, posed.asked, posed.units);
   const std::vector<StatedLimit> limits = stated_limits(posed.asked);
@@ -93,7 +103,7 @@ std::string in_words(const PosedProblem& posed, const BlockingLimit& blocking) {
   if (miss.limit == nullptr) return {};
   const StatedLimit& limit = *miss.limit;
   const bool of_friction = limit.name == "friction";
-  std::string text = fmt::format("; the tightest is {}", limit.name);
+  std::string text = fmt::format(". The tightest limit is {}", limit.name);
   if (of_friction && miss.friction > *limit.bound) {
     text += fmt::format(
         ": {:.6g} is asked for, and the path that came nearest {} "
@@ -113,7 +123,7 @@ std::string in_words(const PosedProblem& posed, const BlockingLimit& blocking) {
                     : "",
         -miss.slack, unit.empty() ? "" : " ", unit, miss.x);
   }
-  return text + ". To try: " + advice(posed.asked, limit, of_friction);
+  return text + ". To try: " + advice(posed.asked, {limit});
 }
 
 }  // namespace
@@ -121,10 +131,7 @@ std::string in_words(const PosedProblem& posed, const BlockingLimit& blocking) {
 std::string looser_limits(const Scene& asked) {
   const std::vector<StatedLimit> limits = stated_limits(asked);
   if (limits.empty()) return {};
-  const auto friction =
-      std::ranges::find(limits, "friction", &StatedLimit::name);
-  const bool of_friction = friction != limits.end();
-  return advice(asked, of_friction ? *friction : limits.front(), of_friction);
+  return advice(asked, limits);
 }
 
 std::string advice_without_answer(const PosedProblem& posed,
@@ -137,8 +144,13 @@ std::string advice_without_answer(const PosedProblem& posed,
     if (!optimal.empty()) text = ". To try: " + optimal;
   } else if (refinement.status == Status::NotConverged ||
              refinement.status == Status::NoAdmissiblePath) {
-    const std::string looser = looser_limits(posed.asked);
-    if (!looser.empty()) text = ". To try: " + looser;
+    std::string ways = looser_limits(posed.asked);
+    // A mesh that is given may be too coarse for where limits begin to hold.
+    if (refinement.status == Status::NotConverged &&
+        posed.program.discretisation.fixed()) {
+      ways = kOtherMesh + (ways.empty() ? "" : ", " + ways);
+    }
+    if (!ways.empty()) text = ". To try: " + ways;
   }
   if (refinement.tried.empty() || (refinement.status != Status::NotConverged &&
                                    refinement.status != Status::Infeasible)) {

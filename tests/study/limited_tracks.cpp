@@ -508,9 +508,10 @@ TEST(LimitedRefusals, OfTooLittleFrictionNameNoTime) {
   EXPECT_EQ(solution.motion(), nullptr);
   EXPECT_TRUE(solution.limits.empty());
   for (const char* told :
-       {"the tightest is friction: 0.05 is asked for, and the path that came "
+       {"The tightest limit is friction: 0.05 is asked for, "
+        "and the path that came "
         "nearest ",
-        "To try: a larger friction, a smaller eta_m"}) {
+        " at x_b = ", "To try: a larger friction, a smaller eta_m"}) {
     EXPECT_NE(solution.message.find(told), std::string::npos)
         << solution.message;
   }

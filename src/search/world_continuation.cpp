@@ -72,9 +72,9 @@ std::string left_at_B(const Scene& scene, const ExtremalCurve& last) {
       "of energy the body would {} {:.4g} m g H where the last path ends, {}",
       left < 0.0 ? "lack" : "have", std::abs(left),
       scene.world.air.any()
-          ? "before the air takes its part; or no extremal leads there"
+          ? "before the air takes its part; a larger start speed may help"
       : scene.world.losses.any()
-          ? "before the losses take theirs; or no extremal leads there"
+          ? "before the losses take theirs; a larger start speed may help"
       : left < 0.0 ? "which a larger start speed can give"
                    : "but no extremal may lead there");
 }

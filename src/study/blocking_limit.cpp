@@ -19,8 +19,8 @@ namespace brachisto {
 
 namespace {
 
-const std::string kOtherMesh =
-    "a finer mesh, or none (discretisation.elements or nodes)";
+const std::string kNoFixedMesh =
+    "no fixed mesh (discretisation.elements or nodes)";
 
 /// What was asked for and what came nearest. Next to rest curvatures are those
 /// of a quotient 0/0: the first twentieth is left out, as of the free path.
@@ -148,7 +148,7 @@ std::string advice_without_answer(const PosedProblem& posed,
     // A mesh that is given may be too coarse for where limits begin to hold.
     if (refinement.status == Status::NotConverged &&
         posed.program.discretisation.fixed()) {
-      ways = kOtherMesh + (ways.empty() ? "" : ", " + ways);
+      ways = kNoFixedMesh + (ways.empty() ? "" : ", " + ways);
     }
     if (!ways.empty()) text = ". To try: " + ways;
   }

@@ -121,9 +121,11 @@ const std::atomic<int>& catch_signals() {
 }
 
 LastResort::LastResort(double seconds, bool json) {
-  at_limit =
-      ending(Status::TimeLimit,
-             fmt::format("the limit of {:g} s was reached", seconds), json);
+  at_limit = ending(
+      Status::TimeLimit,
+      fmt::format("the limit of {:g} s was reached (solver.limits.seconds)",
+                  seconds),
+      json);
   at_signal = ending(Status::Interrupted, "stopped by a signal", json);
   struct sigaction action = {};
   action.sa_handler = on_timer;

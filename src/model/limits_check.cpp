@@ -58,9 +58,10 @@ void check_values(const Scene& scene, SceneChecker& check) {
   } else if (check.finite(kEndSlope, *scene.end_slope) &&
              std::abs(*scene.end_slope) > std::numbers::pi) {
     check.add(kEndSlope,
-              fmt::format("{} rad is not allowed: from −π to π, for a track "
-                          "that goes round in a loop is never an answer",
-                          *scene.end_slope));
+              fmt::format(
+                  "{} rad is not allowed: it must be from −π to π, for a track "
+                  "that goes round in a loop is never an answer",
+                  *scene.end_slope));
   }
 }
 
@@ -81,11 +82,13 @@ void check_body(const Scene& scene, SceneChecker& check) {
     }
   } else if (limits.curvature.valley &&
              valley_of_centre(scene.body, limits) == kUnbounded) {
-    check.add(kValley,
-              fmt::format("{} 1/m is not allowed of the track: less than 1/r = "
-                          "{} 1/m, for a body that rolls in a valley fits no "
-                          "sharper one, and the bound would bound nothing",
-                          *limits.curvature.valley, 1.0 / r));
+    check.add(
+        kValley,
+        fmt::format(
+            "{} 1/m is not allowed of the track: it must be less than 1/r = "
+            "{} 1/m, for a body that rolls in a valley fits no "
+            "sharper one, and the bound would bound nothing",
+            *limits.curvature.valley, 1.0 / r));
   }
 }
 
@@ -110,12 +113,13 @@ void check_grade(const Scene& scene, SceneChecker& check) {
   if (mu >= least * (1.0 - kBoundSlack)) return;
   check.add(
       kFriction,
-      fmt::format("{} is not allowed: at least (k/(1 + k)) H/L = {}, for "
-                  "the slope of a track on which the body does not slip "
-                  "never exceeds arctan(μ (1 + k)/k), and B lies "
-                  "deeper{}",
-                  mu, least,
-                  scene.body.ball ? "; of a ball k_e, and μ R/r_e for μ" : ""));
+      fmt::format(
+          "{} is not allowed: it must be at least (k/(1 + k)) H/L = {}, for "
+          "the slope of a track on which the body does not slip "
+          "never exceeds arctan(μ (1 + k)/k), and B lies "
+          "deeper{}",
+          mu, least,
+          scene.body.ball ? "; of a ball k_e, and μ R/r_e for μ" : ""));
 }
 
 /// Forces at rest, which depend on the direction of the start alone.
@@ -126,10 +130,11 @@ void check_start(const Scene& scene, SceneChecker& check) {
     // What friction allows then contains flat slopes, on which R_n is near 1.
     if (limits.normal_min && *limits.normal_min >= 1.0) {
       check.add(kLeastForce,
-                fmt::format("{} m g is not allowed: less than 1 without an "
-                            "offset of the centre of mass, for the body starts "
-                            "from rest on a slope, where R_n = cos β < 1",
-                            *limits.normal_min));
+                fmt::format(
+                    "{} m g is not allowed: it must be less than 1 without an "
+                    "offset of the centre of mass, for the body starts "
+                    "from rest on a slope, where R_n = cos β < 1",
+                    *limits.normal_min));
     }
     // Where it begins to hold, in a field that pulls down and without a drag
     // that helps to hold the body.
@@ -200,8 +205,8 @@ void check_floor(const Scene& scene, SceneChecker& check) {
   const double R = scene.body.outer_radius();
   const auto refuse = [&](const char* relation, double bound,
                           std::string_view reason) {
-    check.add(kFloor, fmt::format("{} m is not allowed: {} {} m, {}", floor,
-                                  relation, bound, reason));
+    check.add(kFloor, fmt::format("{} m is not allowed: it must be {} {} m, {}",
+                                  floor, relation, bound, reason));
   };
   const bool slope_is_free =
       scene.contact == Contact::Smooth || scene.contact == Contact::Optimal;
@@ -297,10 +302,12 @@ void check_limits(const Scene& scene, SceneChecker& check) {
   check_body(scene, check);
   if (limits.normal_min && limits.normal_max &&
       *limits.normal_min >= *limits.normal_max) {
-    check.add(kLeastForce,
-              fmt::format("{} m g is not allowed: less than max = {} m g, or "
-                          "no track is left",
-                          *limits.normal_min, *limits.normal_max));
+    check.add(
+        kLeastForce,
+        fmt::format(
+            "{} m g is not allowed: it must be less than max = {} m g, or "
+            "no track is left",
+            *limits.normal_min, *limits.normal_max));
   }
   check_contact(scene, check);
   // A body that is pushed is bound by no law of rest.

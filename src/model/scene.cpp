@@ -92,9 +92,11 @@ void check_ball(const Ball& ball, SceneChecker& check) {
   }
   if (ball.groove && check.finite(kAngle, *ball.groove) &&
       !(*ball.groove > 0.0 && *ball.groove < std::numbers::pi)) {
-    check.add(kAngle, fmt::format("{} rad is not allowed: between 0 and π (180 "
-                                  "deg), from wall to wall",
-                                  *ball.groove));
+    check.add(
+        kAngle,
+        fmt::format("{} rad is not allowed: it must be between 0 and π (180 "
+                    "deg), from wall to wall",
+                    *ball.groove));
   }
   if (!check.sound()) return;
   const double r = ball.rolling_radius();
@@ -102,23 +104,29 @@ void check_ball(const Ball& ball, SceneChecker& check) {
     check.add(
         kGauge,
         ball.rail_radius
-            ? fmt::format("{} m is not allowed: less than 2 (R + ρ) = {} "
-                          "m, or the ball falls between the rails",
-                          *ball.gauge, 2.0 * (ball.radius + *ball.rail_radius))
-            : fmt::format("{} m is not allowed: less than 2 R = {} m, or "
-                          "the ball falls between the rails",
-                          *ball.gauge, 2.0 * ball.radius));
+            ? fmt::format(
+                  "{} m is not allowed: it must be less than 2 (R + ρ) = {} "
+                  "m, or the ball falls between the rails",
+                  *ball.gauge, 2.0 * (ball.radius + *ball.rail_radius))
+            : fmt::format(
+                  "{} m is not allowed: it must be less than 2 R = {} m, or "
+                  "the ball falls between the rails",
+                  *ball.gauge, 2.0 * ball.radius));
   } else if (ball.eta_m * ball.radius >= r) {
-    check.add("scene.body.eta_m",
-              fmt::format("{} is not allowed: less than r_e/R = {}, for what "
-                          "follows is laid down for a centre of mass that "
-                          "stays above the line through the contacts",
-                          ball.eta_m, r / ball.radius));
+    check.add(
+        "scene.body.eta_m",
+        fmt::format(
+            "{} is not allowed: it must be less than r_e/R = {}, for what "
+            "follows is laid down for a centre of mass that "
+            "stays above the line through the contacts",
+            ball.eta_m, r / ball.radius));
   } else if (ball.rail_radius && *ball.gauge <= 2.0 * *ball.rail_radius) {
-    check.add(kGauge, fmt::format("{} m is not allowed: more than 2 ρ = {} m, "
-                                  "for round rails are apart by more than they "
-                                  "are thick",
-                                  *ball.gauge, 2.0 * *ball.rail_radius));
+    check.add(
+        kGauge,
+        fmt::format("{} m is not allowed: it must be more than 2 ρ = {} m, "
+                    "for round rails are apart by more than they "
+                    "are thick",
+                    *ball.gauge, 2.0 * *ball.rail_radius));
   }
 }
 

@@ -35,16 +35,19 @@ class SceneChecker {
   }
   void representable(const char* key, double value, const char* unit) {
     if (value >= kSmallestQuantity && value <= kLargestQuantity) return;
-    add(key, fmt::format("{}{} is not allowed: from {:g} to {:g}, for products "
-                         "of several such numbers have to be normal numbers of "
-                         "64 bits",
-                         value, unit, kSmallestQuantity, kLargestQuantity));
+    add(key,
+        fmt::format(
+            "{}{} is not allowed: it must be from {:g} to {:g}, for products "
+            "of several such numbers have to be normal numbers of "
+            "64 bits",
+            value, unit, kSmallestQuantity, kLargestQuantity));
   }
   /// Of either sign, or zero.
   void moderate(const char* key, double value, const char* unit) {
     if (!finite(key, value) || std::abs(value) <= kLargestQuantity) return;
-    add(key, fmt::format("{}{} is not allowed: at most {:g}, either sign",
-                         value, unit, kLargestQuantity));
+    add(key,
+        fmt::format("{}{} is not allowed: it must be at most {:g}, either sign",
+                    value, unit, kLargestQuantity));
   }
   /// \param unit  without the space before it, or ""
   void number(const char* key, double value, const std::string& unit,
@@ -76,7 +79,8 @@ class SceneChecker {
   void angle(const char* key, double value) {
     if (!finite(key, value) || std::abs(value) <= kLargestAngle) return;
     add(key,
-        fmt::format("{} rad is not allowed: at most {:g} rad, beyond which the "
+        fmt::format("{} rad is not allowed: it must be at most {:g} rad, "
+                    "beyond which the "
                     "rounding of the number alone turns it by more than "
                     "6e-11 rad; leave out whole turns, or give degrees, of "
                     "which they are taken off exactly",

@@ -127,20 +127,22 @@ void check_losses(const Scene& scene, SceneChecker& check) {
   } else if (!losses::bounded(scene.body, lost.factor(scene.body))) {
     check.add(
         kRolling,
-        fmt::format("{} is not allowed: less than √(((1 + η_m² + k)/η_m)² "
-                    "− 4), or there are angles at which the load, which "
-                    "brakes the body and so swings its centre of mass "
-                    "against the track, has no bound{}",
-                    lost.rolling,
-                    scene.body.ball ? "; of a ball η_e and k_e, and c R/r_e "
-                                      "for c"
-                                    : ""));
+        fmt::format(
+            "{} is not allowed: it must be less than √(((1 + η_m² + k)/η_m)² "
+            "− 4), or there are angles at which the load, which "
+            "brakes the body and so swings its centre of mass "
+            "against the track, has no bound{}",
+            lost.rolling,
+            scene.body.ball ? "; of a ball η_e and k_e, and c R/r_e "
+                              "for c"
+                            : ""));
   } else if (!scene.path && limits.normal_min && *limits.normal_min < 0.0) {
-    check.add(kNormalMin,
-              fmt::format("{} m g is not allowed with scene.losses: 0 or more, "
-                          "for a track that pulls at the body would give it "
-                          "energy",
-                          *limits.normal_min));
+    check.add(
+        kNormalMin,
+        fmt::format("{} m g is not allowed with scene.losses: it must be ≥ 0, "
+                    "for a track that pulls at the body would give it "
+                    "energy",
+                    *limits.normal_min));
   } else if (!scene.path && lost.rolling != 0.0 && !limits.friction &&
              !limits.normal_min) {
     check.add(kRolling,

@@ -75,7 +75,8 @@ std::optional<FittedPath> ArcSearch::fit_corrected(LimitedCurve nearby,
       if (!other) return last;
     }
     if (protocol_.worked_enough()) {
-      protocol_.fail(Status::NotConverged, "the work for it was done");
+      protocol_.fail(Status::NotConverged,
+                     "the share of work for it was used up");
       return std::nullopt;
     }
     const bool again =

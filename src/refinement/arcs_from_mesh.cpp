@@ -16,7 +16,7 @@ std::optional<FittedPath> arcs_from(const LimitedCurve& mesh, int degree,
     protocol.fail(Status::NoFastestTrack,
                   "there is no fastest track under these limits: the more "
                   "sharply it turns upwards right behind A, where a normal "
-                  "force bounds no turn, the faster it is; try "
+                  "force bounds no turn, the faster it is. To try: "
                   "limits.curvature.valley");
     return std::nullopt;
   }

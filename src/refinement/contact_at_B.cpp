@@ -94,9 +94,9 @@ bool Tightening::close_in(Held a, Held b) {
   }
   return protocol_.fail(
       Status::NoSmoothContact,
-      fmt::format("no smooth contact was found under these limits: at φ = "
-                  "{:.6g} rad the slope at the end jumps from {:.2g} "
-                  "to {:.2g} rad off; try contact: optimal",
+      fmt::format("no smooth contact was found under these limits: where the "
+                  "slope at B passes {:.6g} rad, that of the path that keeps "
+                  "the limits jumps from {:.2g} to {:.2g} rad off it",
                   a.phi, a.open, b.open));
 }
 
@@ -177,8 +177,7 @@ bool Tightening::bracket_contact() {
       fmt::format(
           "no smooth contact was found under these limits: for slopes "
           "at B from {:.3g} to {:.3g} rad{} the path that keeps "
-          "the limits ends {:.2g} rad or more off; try "
-          "contact: optimal",
+          "the limits ends {:.2g} rad or more off",
           lowest, highest,
           gap ? ", but those with which the body is in the way at B," : "",
           least));

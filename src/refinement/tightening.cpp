@@ -311,11 +311,12 @@ bool Tightening::solve_finer() {
 bool Tightening::none_found() {
   if (!blocking_ && !tight_) blocking_ = tightest();
   std::string text = give_way_for_good_
-                         ? "the limits give way at any price where the "
-                           "solver ended"
+                         ? "where the solver ended no small change keeps "
+                           "the limits"
                          : "no path was found that keeps the limits";
   if (budget_ == 0) {
-    text += fmt::format(" ({} iterations used up)", ipopt_.max_iterations);
+    text += fmt::format(" ({} iterations used up: solver.limits.iterations)",
+                        ipopt_.max_iterations);
   } else if (!give_way_for_good_ && !protocol_.message.empty()) {
     text += fmt::format(" ({})", protocol_.message);
   }

@@ -432,7 +432,8 @@ std::string summary(const Solution& solution, const DesignAnswer* design) {
   add_discrete_system(out, solution);
   add_branches(out, solution);
   if (design != nullptr) add_design(out, *design);
-  add_line(out, "found", found(solution));
+  add_line(out, solution.status == Status::Solved ? "found" : "tried",
+           found(solution));
   if (fell_back(solution)) {
     add_line(out, "linear solver",
              "MUMPS in place of the chain; --verbose says why");

@@ -72,13 +72,11 @@ std::string left_at_B(const Scene& scene, const ExtremalCurve& last) {
       "of energy the body would {} {:.4g} m g H where the last path ends, {}",
       left < 0.0 ? "lack" : "have", std::abs(left),
       scene.world.air.any()
-          ? "before the air takes its part; or no slope makes 𝓗 minimal all "
-            "along"
+          ? "before the air takes its part; a larger start speed may help"
       : scene.world.losses.any()
-          ? "before the losses take theirs; or no slope makes 𝓗 minimal all "
-            "along"
+          ? "before the losses take theirs; a larger start speed may help"
       : left < 0.0 ? "which a larger start speed can give"
-                   : "but no slope may make 𝓗 minimal all along");
+                   : "but no extremal may lead there");
 }
 
 }  // namespace

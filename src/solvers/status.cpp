@@ -38,7 +38,7 @@ constexpr std::array kWords{
           "Under the limits tracks that turn ever more sharply at A are ever "
           "faster."},
     Words{"infeasible",
-          "The solver ended at a path where the limits give way at any price; "
+          "The solver ended at a path that violates the limits at any penalty; "
           "other paths may keep them."},
     Words{"stalled", "The body does not reach the end of the given path."},
     Words{"internal_error", "The solver reported an internal error."}};

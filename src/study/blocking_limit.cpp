@@ -19,12 +19,17 @@ namespace brachisto {
 
 namespace {
 
+const std::string kNoFixedMesh =
+    "no fixed mesh (discretisation.elements or nodes)";
+
 /// What was asked for and what came nearest. Next to rest curvatures are those
 /// of a quotient 0/0: the first twentieth is left out, as of the free path.
 struct Miss {
   const StatedLimit* limit = nullptr;
   double slack = std::numeric_limits<double>::infinity();
+  double x = 0.0;         ///< x_b where it is least [m]
   double friction = 0.0;  ///< the largest μ needed; ∞ where R_n ≤ 0
+  double x_of_friction = 0.0;
 };
 
 Miss worst(const std::vector<StatedLimit>& limits, const LimitedMotion& motion,
@@ -46,37 +51,51 @@ Miss worst(const std::vector<StatedLimit>& limits, const LimitedMotion& motion,
       const double slack = limit.slack(at);
       if (slack < miss.slack) {
         miss.slack = slack;
+        miss.x = at.motion.contact.x;
         miss.limit = &limit;
       }
-      miss.friction =
-          std::max(miss.friction,
-                   at.motion.R_n > 0.0
-                       ? std::abs(at.motion.R_t) / (wall_ratio * at.motion.R_n)
-                       : std::numeric_limits<double>::infinity());
+      const double friction =
+          at.motion.R_n > 0.0
+              ? std::abs(at.motion.R_t) / (wall_ratio * at.motion.R_n)
+              : std::numeric_limits<double>::infinity();
+      if (friction > miss.friction) {
+        miss.friction = friction;
+        miss.x_of_friction = at.motion.contact.x;
+      }
     }
   }
   return miss;
 }
 
-std::string advice(const Scene& scene, const StatedLimit& limit,
-                   bool of_friction) {
-  const bool of_normal = limit.name.starts_with("normal_force");
-  std::string out = limit.looser;
-  if ((of_friction || of_normal) && scene.body.off_centred()) {
-    out += ", a smaller eta_m";
-  }
-  if (of_friction) out += ", a longer L";
+/// A contact whose slopes are free, and what it takes; nothing of a bead.
+std::string optimal_contact(const Scene& scene, bool as_limited) {
+  if (!scene.body.rolls() || scene.contact != Contact::Smooth) return {};
   Scene optimal = scene;
   optimal.contact = Contact::Optimal;
-  optimal.end_slope.reset();
-  if (scene.body.rolls() && scene.contact == Contact::Smooth &&
-      validate(optimal).empty()) {
-    out += ", contact: optimal";
-  }
-  return out;
+  if (validate(optimal).empty()) return "contact: optimal";
+  return as_limited ? "" : "contact: optimal, with limits.curvature";
 }
 
-/// "; the tightest is friction: …".
+/// Any of what follows may help, if these limits are in the way.
+std::string advice(const Scene& scene,
+                   const std::vector<StatedLimit>& in_the_way) {
+  bool of_friction = false, of_forces = false;
+  std::vector<std::string> ways;
+  for (const StatedLimit& limit : in_the_way) {
+    ways.push_back(limit.looser);
+    of_friction = of_friction || limit.name == "friction";
+    of_forces = of_forces || limit.name.starts_with("normal_force");
+  }
+  if ((of_friction || of_forces) && scene.body.off_centred()) {
+    ways.emplace_back("a smaller eta_m");
+  }
+  if (of_friction) ways.emplace_back("a longer L");
+  const std::string optimal = optimal_contact(scene, true);
+  if (!optimal.empty()) ways.push_back(optimal);
+  return fmt::format("{}", fmt::join(ways, ", "));
+}
+
+/// ". The tightest limit is friction: …".
 std::string in_words(const PosedProblem& posed, const BlockingLimit& blocking) {
   const LimitedMotion motion(blocking.nearest, posed.asked, posed.units);
   const std::vector<StatedLimit> limits = stated_limits(posed.asked);
@@ -84,24 +103,27 @@ std::string in_words(const PosedProblem& posed, const BlockingLimit& blocking) {
   if (miss.limit == nullptr) return {};
   const StatedLimit& limit = *miss.limit;
   const bool of_friction = limit.name == "friction";
-  std::string text = fmt::format("; the tightest is {}", limit.name);
+  std::string text = fmt::format(". The tightest limit is {}", limit.name);
   if (of_friction && miss.friction > *limit.bound) {
-    text +=
-        fmt::format(": {:.6g} is asked for, and the path that came nearest {}",
-                    *limit.bound,
-                    std::isfinite(miss.friction)
-                        ? fmt::format("needs {:.3g}", miss.friction)
-                        : "lifts off");
+    text += fmt::format(
+        ": {:.6g} is asked for, and the path that came nearest {} "
+        "at x_b = {:.3g} m",
+        *limit.bound,
+        std::isfinite(miss.friction)
+            ? fmt::format("needs {:.3g}", miss.friction)
+            : "lifts off",
+        miss.x_of_friction);
   } else if (!of_friction && miss.slack < 0.0) {
     const std::string_view unit = limit.words ? limit.words->unit : "m";
-    text +=
-        fmt::format("{}, which the path that came nearest misses by {:.3g}{}{}",
-                    limit.bound ? fmt::format(": {:.6g}{}{}", *limit.bound,
-                                              unit.empty() ? "" : " ", unit)
-                                : "",
-                    -miss.slack, unit.empty() ? "" : " ", unit);
+    text += fmt::format(
+        "{}, which the path that came nearest violates by "
+        "{:.3g}{}{} at x_b = {:.3g} m",
+        limit.bound ? fmt::format(": {:.6g}{}{}", *limit.bound,
+                                  unit.empty() ? "" : " ", unit)
+                    : "",
+        -miss.slack, unit.empty() ? "" : " ", unit, miss.x);
   }
-  return text + ". To try: " + advice(posed.asked, limit, of_friction);
+  return text + ". To try: " + advice(posed.asked, {limit});
 }
 
 }  // namespace
@@ -109,10 +131,7 @@ std::string in_words(const PosedProblem& posed, const BlockingLimit& blocking) {
 std::string looser_limits(const Scene& asked) {
   const std::vector<StatedLimit> limits = stated_limits(asked);
   if (limits.empty()) return {};
-  const auto friction =
-      std::ranges::find(limits, "friction", &StatedLimit::name);
-  const bool of_friction = friction != limits.end();
-  return advice(asked, of_friction ? *friction : limits.front(), of_friction);
+  return advice(asked, limits);
 }
 
 std::string advice_without_answer(const PosedProblem& posed,
@@ -120,10 +139,18 @@ std::string advice_without_answer(const PosedProblem& posed,
   std::string text;
   if (refinement.blocking) {
     text = in_words(posed, *refinement.blocking);
+  } else if (refinement.status == Status::NoSmoothContact) {
+    const std::string optimal = optimal_contact(posed.asked, false);
+    if (!optimal.empty()) text = ". To try: " + optimal;
   } else if (refinement.status == Status::NotConverged ||
              refinement.status == Status::NoAdmissiblePath) {
-    const std::string looser = looser_limits(posed.asked);
-    if (!looser.empty()) text = ". To try: " + looser;
+    std::string ways = looser_limits(posed.asked);
+    // A mesh that is given may be too coarse for where limits begin to hold.
+    if (refinement.status == Status::NotConverged &&
+        posed.program.discretisation.fixed()) {
+      ways = kNoFixedMesh + (ways.empty() ? "" : ", " + ways);
+    }
+    if (!ways.empty()) text = ". To try: " + ways;
   }
   if (refinement.tried.empty() || (refinement.status != Status::NotConverged &&
                                    refinement.status != Status::Infeasible)) {

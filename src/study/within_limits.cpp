@@ -46,9 +46,11 @@ void work_until(const StopCondition& stop, Solution& out,
   }
   if (!stopped) return;
   end(out, stopped_by(stop),
-      stop.interrupted() ? "stopped by a signal before the end"
-                         : fmt::format("the limit of {:g} s was reached",
-                                       out.options.limits.seconds));
+      stop.interrupted()
+          ? "stopped by a signal before the end"
+          : fmt::format(
+                "the limit of {:g} s was reached (solver.limits.seconds)",
+                out.options.limits.seconds));
 }
 
 }  // namespace

@@ -101,7 +101,7 @@ void expect_one(const std::string& text, const std::string& begin,
 
 TEST(RefusedBall, FallsBetweenItsRails) {
   expect_one(ball("rails: {gauge: 1}"), "scene.body.rails.gauge",
-             "1 m is not allowed: less than 2 R = 1 m");
+             "1 m is not allowed: it must be less than 2 R = 1 m");
   expect_one(ball("rails: {gauge: 1.3, radius: 0.1}"), "scene.body.rails.gauge",
              "less than 2 (R + ρ) = 1.2 m");
 }

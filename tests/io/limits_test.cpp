@@ -193,7 +193,8 @@ TEST(MistakesInLimits, HaveTheirPlaces) {
        "p.yaml:5:28: scene.limits.curvature.of: \"body\" was read; expected "
        "track or centre"},
       {"  limits: {floor: 1/2}\n",
-       "p.yaml:5:19: scene.limits.floor: 0.5 m is not allowed: more than H = 1 "
+       "p.yaml:5:19: scene.limits.floor: 0.5 m is not allowed: it must be more "
+       "than H = 1 "
        "m, for a body that stands at B on a slope, however gentle, reaches "
        "lower than B"},
       {"  limits: {clear_of: []}\n",

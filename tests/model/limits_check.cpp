@@ -123,7 +123,8 @@ INSTANTIATE_TEST_SUITE_P(
               },
               "scene.limits.clear_of", "at most 1e+50"},
         Asked{"SlopeTooSteep", with_end_slope(uniform_scene(), -3.2), no_limit,
-              "scene.contact.end_slope", "-3.2 rad is not allowed: from −π"},
+              "scene.contact.end_slope",
+              "-3.2 rad is not allowed: it must be from −π"},
         Asked{"SlopeMissing", uniform_scene(),
               [](Scene& s) { s.contact = Contact::EndSlope; },
               "scene.contact.end_slope", "missing"},
@@ -235,18 +236,18 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         Asked{"FloorAboveB", uniform_scene(),
               [](Scene& s) { s.limits.floor = 0.99; }, "scene.limits.floor",
-              "0.99 m is not allowed: more than H = 1 m"},
+              "0.99 m is not allowed: it must be more than H = 1 m"},
         Asked{"FloorAtB", uniform_scene(),
               [](Scene& s) { s.limits.floor = 1.0; }, "scene.limits.floor",
-              "1 m is not allowed: more than H = 1 m"},
+              "1 m is not allowed: it must be more than H = 1 m"},
         Asked{"FloorBelowB", uniform_scene(),
               [](Scene& s) { s.limits.floor = 1.01; }, "", ""},
         Asked{"FloorAboveTheEndOfABead", bead_scene(),
               [](Scene& s) { s.limits.floor = 0.99; }, "scene.limits.floor",
-              "0.99 m is not allowed: at least 1 m"},
+              "0.99 m is not allowed: it must be at least 1 m"},
         Asked{"FloorOfTheCentre", between_centres(uniform_scene()),
               [](Scene& s) { s.limits.floor = 1.3; }, "scene.limits.floor",
-              "1.3 m is not allowed: at least 1.3333"},
+              "1.3 m is not allowed: it must be at least 1.3333"},
         Asked{"FloorUnderTheCentre", between_centres(uniform_scene()),
               [](Scene& s) { s.limits.floor = 4.0 / 3.0; }, "", ""},
         Asked{"FloorAtALevelEnd", with_end_slope(uniform_scene(), 0.0),
@@ -261,7 +262,8 @@ INSTANTIATE_TEST_SUITE_P(
                 s.limits.curvature = {2.0, 2.0};
                 s.limits.floor = 1.166;
               },
-              "scene.limits.floor", "1.166 m is not allowed: at least 1.1666"},
+              "scene.limits.floor",
+              "1.166 m is not allowed: it must be at least 1.1666"},
         // A body that starts straight down reaches r below A.
         Asked{"FloorAboveTheStart", uniform_scene(),
               [](Scene& s) {

@@ -494,7 +494,7 @@ TEST(LimitedRefusals, OfAKinkAtRestThatNoLimitBounds) {
 
   EXPECT_EQ(solution.status, Status::NoFastestTrack) << solution.message;
   EXPECT_EQ(solution.motion(), nullptr);
-  EXPECT_NE(solution.message.find("try limits.curvature.valley"),
+  EXPECT_NE(solution.message.find("To try: limits.curvature.valley"),
             std::string::npos);
 }
 
@@ -508,9 +508,10 @@ TEST(LimitedRefusals, OfTooLittleFrictionNameNoTime) {
   EXPECT_EQ(solution.motion(), nullptr);
   EXPECT_TRUE(solution.limits.empty());
   for (const char* told :
-       {"the tightest is friction: 0.05 is asked for, and the path that came "
+       {"The tightest limit is friction: 0.05 is asked for, "
+        "and the path that came "
         "nearest ",
-        "To try: a larger friction, a smaller eta_m"}) {
+        " at x_b = ", "To try: a larger friction, a smaller eta_m"}) {
     EXPECT_NE(solution.message.find(told), std::string::npos)
         << solution.message;
   }
@@ -553,7 +554,10 @@ TEST(LimitedRefusals, OfAFloorThatLeavesNoSmoothContactNameNoTime) {
       solve(under(base, floor_at(0.67 + base.body.radius)));
 
   EXPECT_EQ(solution.status, Status::NoSmoothContact) << solution.message;
-  EXPECT_NE(solution.message.find("try contact: optimal"), std::string::npos);
+  EXPECT_NE(
+      solution.message.find("To try: contact: optimal, with limits.curvature"),
+      std::string::npos)
+      << solution.message;
   EXPECT_FALSE(solution.verified());
   EXPECT_EQ(solution.motion(), nullptr);
 }

@@ -30,7 +30,7 @@ struct Place {
 };
 
 /// The most steps of the path that is kept.
-inline constexpr int kMostPlaces = 64;
+inline constexpr int kMostPlaces = 128;
 
 /// An extremal with smooth contacts, in natural units.
 struct Extremal {
@@ -88,8 +88,8 @@ struct Fineness {
   int into_world = 0;  ///< and then into the air, if there is any
 };
 /// Enough for three scenes of four, and for most of the others.
-inline constexpr Fineness kPlain{8, 10, kMostPlaces, 1, 4},
-    kFine{16, 20, kMostPlaces, 2, 8};
+inline constexpr Fineness kPlain{8, 10, kMostPlaces / 2, 1, 4},
+    kFine{16, 20, kMostPlaces, 1, 8};
 
 /// The principal extremal of each scene.
 /// \pre fits() and validate() is empty of all

@@ -144,9 +144,9 @@ std::vector<std::optional<Solution>> solve_in_lanes(
 
 std::vector<std::optional<Solution>> seek_in_lanes(
     std::span<const SceneToSolve> scenes, const Solution* beside) {
-  constexpr lanes::Fineness kRough{2, 10, lanes::kMostPlaces / 2, 1};
+  constexpr lanes::Fineness kRough{2, 10, lanes::kPlain.places / 2, 1};
   constexpr double kOfRough = 1e-8;
-  constexpr lanes::Fineness kBeside{2, 10, lanes::kMostPlaces, 1};
+  constexpr lanes::Fineness kBeside{2, 10, lanes::kPlain.places, 1};
   const WallClock::time_point begin = WallClock::now();
   Batch batch(scenes);
   const auto* known =

@@ -13,6 +13,7 @@
 #include "extremal/shooting.hpp"
 #include "model/cycloid.hpp"
 #include "model/units.hpp"
+#include "trajectory/lane_motion.hpp"
 
 namespace brachisto::lanes {
 namespace {
@@ -85,6 +86,29 @@ INSTANTIATE_TEST_SUITE_P(Finenesses, ManyScenesTried,
                                                  16},
                                          Attempt{"FineInAir", kFine, true, 19}),
                          [](const auto& one) { return one.param.name; });
+
+/// A path that turns quickly is interpolated between the places that are kept:
+/// with 64 of them, whatever the steps, the speed there missed the energy.
+TEST(ManyScenes, KeepPlacesCloseEnoughForTheEnergyBetweenThem) {
+  Scene scene;
+  scene.body = Body::cylinder(0.182, 0.3366, 1.422, 0.0174);
+  scene.L = 3.3655;
+  scene.H = 1.0;
+  scene.world.air = {0.1407, 0.0322};
+
+  const Extremal found = shoot(std::vector{scene}, kFine).front();
+
+  ASSERT_TRUE(found.found);
+  const ExtremalSolution alone = solve_extremal(scene);
+  ASSERT_TRUE(alone.usable()) << alone.message;
+  EXPECT_NEAR(transit_time(scene, found) / alone.transit_time, 1.0,
+              found.error_estimate + alone.error_estimate);
+  const Units units = natural_units(scene);
+  const Certificate certificate =
+      certify(LaneMotion(in_natural_units(scene), found, scene, units));
+  EXPECT_TRUE(certificate.verified())
+      << testing::PrintToString(not_verified_because(certificate));
+}
 
 TEST(ManyScenes, HaveTheClosedFormWithoutOffset) {
   constexpr double kUlp = std::numeric_limits<double>::epsilon();

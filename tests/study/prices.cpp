@@ -186,7 +186,7 @@ std::vector<Bound> bounds() {
       {"FrictionAboveAKink", "friction", small_cylinder(0.47), move_friction,
        1e-5},
       {"FrictionBelowAKink", "friction", small_cylinder(0.4696), move_friction,
-       1e-5},
+       3e-6},
       {"LargeDisc", "clear_of.disc",
        enlarged(under(base, stone()), kLength, kGravity), move_disc,
        1e-4 * kLength},

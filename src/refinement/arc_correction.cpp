@@ -142,14 +142,16 @@ class Correction {
     }
     if (!changed_) return std::nullopt;
     const LimitedTime& problem = curve_.problem();
-    touch_once(seen_);
+    touch_once(seen_, problem.limits());
     if (takeover_ == Takeover::LedBack) {
       part_from_place(problem, before_, seen_);
     }
     widen_new(before_, seen_);
     leave_end(problem, seen_);
-    return with_corner(problem, arcs_from(seen_, problem.mesh().num_elements()),
-                       corner);
+    return with_corner(
+        problem,
+        arcs_from(seen_, problem.mesh().num_elements(), problem.limits()),
+        corner);
   }
 
  private:

@@ -132,7 +132,11 @@ class Fit {
       const double left = largest(system.open());
       if (!std::isfinite(left)) return fail("a junction has no slope");
       if (is_closed(system) && left > 0.5 * last_left) break;
+      // Moved by rounding, junctions would disturb the rest for ever, and what
+      // other factors leave of it may be more than rounding.
+      const bool settled = left <= kClosed && left > 0.5 * last_left;
       last_left = left;
+      if (settled) drift_ = std::numeric_limits<double>::infinity();
       if (!linearise(system)) {
         return fail("the optimality conditions of the arcs are singular");
       }
@@ -149,7 +153,7 @@ class Fit {
       Vector step = Vector::Zero(newton.open.size());
       // What is less than that follows from the residuals, or is rounding.
       const bool together =
-          system.residual() <= kNear &&
+          !settled && system.residual() <= kNear &&
           left > std::max(kRounding, 1e-3 * system.residual());
       if (together) {
         const auto wanted = steps_.step(system, system.open() + newton.open);
@@ -259,6 +263,8 @@ class Fit {
     static_cast<void>(system.move_to(from, start));
     return false;
   }
+  /// What may be left of open conditions.
+  static constexpr double kClosed = 1e-10;
   /// Residuals at which junctions are moved.
   static constexpr double kNear = 1e-2;
   /// After which they are found to fall again.
@@ -291,7 +297,7 @@ class Fit {
   }
 
   [[nodiscard]] static bool is_closed(const PathSystem& system) {
-    constexpr double kResidual = 1e-12, kClosed = 1e-10;
+    constexpr double kResidual = 1e-12;
     constexpr double kLeast = 10.0, kMost = 1e3;
     // What is summed up in a residual, and rounded.
     double terms = kLeast;

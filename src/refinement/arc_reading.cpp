@@ -120,15 +120,21 @@ std::vector<Arc> arcs_of(const LimitedCurve& curve) {
         curve, c, seen.empty() ? std::vector<Held>() : seen.back().held));
   }
   part_from_control(curve, seen);
-  touch_once(seen);
+  touch_once(seen, problem.limits());
   close_gaps(curve, seen);
   for (std::size_t i = 1; i + 1 < seen.size(); ++i) {
-    // Between two limits there is a junction, and no more.
-    if (seen[i].held != seen[i + 1].held) seen[i].touch.reset();
+    // Between two limits there is a junction; only where they bound the control
+    // from opposite sides, and leave it no choice there, is it more.
+    if (seen[i].held != seen[i + 1].held &&
+        !(touches_before_it_holds(seen, i, problem.limits()) &&
+          opposite(problem, seen[i].held, seen[i + 1].held,
+                   curve.at(seen[i].sigma).state))) {
+      seen[i].touch.reset();
+    }
     if (seen[i - 1].held == seen[i + 1].held) seen[i].held = seen[i - 1].held;
   }
   leave_end(problem, seen);
-  return arcs_from(seen, mesh.num_elements());
+  return arcs_from(seen, mesh.num_elements(), problem.limits());
 }
 
 }  // namespace brachisto

@@ -27,8 +27,9 @@ struct Arc {
   double end = 1.0;             ///< σ
   /// Where its elements meet, as shares of its length, from 0 to 1.
   std::vector<double> cuts{0.0, 1.0};
-  /// At the end of an arc whose control another limit holds, which goes on
-  /// behind it: the only way to keep a limit that the control cannot.
+  /// At the end of an arc whose control another limit holds: the only way to
+  /// keep a limit that the control cannot. Behind it the same arc goes on, or
+  /// what is touched holds the control.
   std::optional<Touch> touch = {};
 
   [[nodiscard]] int elements() const {
@@ -53,8 +54,9 @@ struct Arc {
 /// From the collocation points of a solution whose limits are inequalities:
 /// junctions lie half-way between two points. A single point between two parts
 /// of one arc belongs to it. Where two limits of the control hold, the second
-/// is touched if the first one goes on; a limit of the place is touched if one
-/// of the control holds all along with it.
+/// is touched if the first one goes on, or if it bounds the control from the
+/// other side and goes on itself; a limit of the place is touched if one of the
+/// control holds all along with it.
 [[nodiscard]] std::vector<Arc> arcs_of(const LimitedCurve& curve);
 
 /// Arcs, and what is reached where a push begins.

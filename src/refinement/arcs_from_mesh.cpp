@@ -63,7 +63,7 @@ LimitedRefinement refine_from_mesh(const LimitedCurve& mesh,
   PassProtocol protocol(options);
   ArcSearch search(protocol, options);
   std::optional<LimitedAnswer> answer;
-  std::optional<PathWithoutArcs> without;
+  SolvedWithoutArcs without;
   auto path = arcs_from(mesh, kArcDegree, search, protocol);
   if (path) answer = refined(*std::move(path), wanted, search, protocol);
   if (!answer && !wanted.fixed() && !protocol.stopped() &&
@@ -71,12 +71,14 @@ LimitedRefinement refine_from_mesh(const LimitedCurve& mesh,
     without = solve_without_arcs(
         mesh, wanted.tolerance.value_or(kToleranceWithoutArcs), options.ipopt,
         protocol);
-    if (without && !protocol.stopped()) {
-      path = arcs_from(without->path.curve, kArcDegree, search, protocol);
+    if (without.finest() && !protocol.stopped()) {
+      path = arcs_from(*without.finest(), kArcDegree, search, protocol);
       if (path) answer = refined(*std::move(path), wanted, search, protocol);
     }
   }
-  if (!answer && without) answer = answer_without_arcs(*without, protocol);
+  if (!answer && without.path) {
+    answer = answer_without_arcs(*without.path, protocol);
+  }
   return {std::move(protocol).finished(), std::move(answer), {}, {}, {}, {}};
 }
 

@@ -268,11 +268,12 @@ class LimitedSolve {
     tried_mesh_ = true;
     if (!tightening_->tight() || wanted_.fixed()) return {};
     tries("on meshes that know no arcs");
-    mesh_ = solve_without_arcs(
+    const SolvedWithoutArcs solved = solve_without_arcs(
         *tightening_->tight(),
         wanted_.tolerance.value_or(kToleranceWithoutArcs), left(), protocol_);
-    if (!mesh_ || stopped()) return {};
-    return arcs_from(mesh_->path.curve);
+    mesh_ = solved.path;
+    if (!solved.finest() || stopped()) return {};
+    return arcs_from(*solved.finest());
   }
   void take_mesh() {
     answer_.emplace(answer_without_arcs(*mesh_, protocol_));

@@ -8,8 +8,8 @@
 
 namespace brachisto {
 
-std::vector<Arc> arcs_from(const std::vector<Sighting>& sightings,
-                           int elements) {
+std::vector<Arc> arcs_from(const std::vector<Sighting>& sightings, int elements,
+                           const std::vector<PathInequality>& limits) {
   constexpr int kFewest = 2;
   std::vector<Arc> arcs;
   double begin = 0.0;
@@ -23,15 +23,28 @@ std::vector<Arc> arcs_from(const std::vector<Sighting>& sightings,
         : same ? sightings[i].sigma
                : 0.5 * (sightings[i].sigma + sightings[i + 1].sigma);
     const auto share = std::lround((end - begin) * elements);
-    arcs.push_back({sightings[i].held, end,
-                    equal_cuts(std::max(kFewest, static_cast<int>(share))),
-                    last || same ? touch : std::nullopt});
+    arcs.push_back(
+        {sightings[i].held, end,
+         equal_cuts(std::max(kFewest, static_cast<int>(share))),
+         last || same || touches_before_it_holds(sightings, i, limits)
+             ? touch
+             : std::nullopt});
     begin = end;
   }
   return arcs;
 }
 
-void touch_once(std::vector<Sighting>& seen) {
+bool touches_before_it_holds(const std::vector<Sighting>& seen,
+                             std::size_t place,
+                             const std::vector<PathInequality>& limits) {
+  const std::optional<Touch>& touch = seen[place].touch;
+  return touch && limits[touch->limit].bounds_control() &&
+         place + 1 < seen.size() &&
+         seen[place + 1].held[touch->limit] == touch->at;
+}
+
+void touch_once(std::vector<Sighting>& seen,
+                const std::vector<PathInequality>& limits) {
   for (std::size_t first = 0; first < seen.size();) {
     if (!seen[first].touch) {
       ++first;
@@ -44,6 +57,10 @@ void touch_once(std::vector<Sighting>& seen) {
          ++end) {
       if (seen[end].excess > seen[worst].excess) worst = end;
       multiplier += seen[end].touch->multiplier;
+    }
+    if (touches_before_it_holds(seen, end - 1, limits) &&
+        std::isfinite(seen[worst].excess)) {
+      worst = end - 1;
     }
     for (std::size_t i = first; i < end; ++i) {
       if (i != worst) seen[i].touch.reset();

@@ -22,12 +22,20 @@ struct Sighting {
 };
 
 /// Arcs from what holds at places in order; junctions lie half-way between two.
-[[nodiscard]] std::vector<Arc> arcs_from(const std::vector<Sighting>& sightings,
-                                         int elements);
+[[nodiscard]] std::vector<Arc> arcs_from(
+    const std::vector<Sighting>& sightings, int elements,
+    const std::vector<PathInequality>& limits);
+
+/// Whether a limit of the control is touched at the last place before it holds.
+[[nodiscard]] bool touches_before_it_holds(
+    const std::vector<Sighting>& seen, std::size_t place,
+    const std::vector<PathInequality>& limits);
 
 /// Of a run of places at which a limit is exceeded it is touched where it is so
-/// most.
-void touch_once(std::vector<Sighting>& seen);
+/// most, or at the last one, if it is a limit of the control and holds from
+/// there on.
+void touch_once(std::vector<Sighting>& seen,
+                const std::vector<PathInequality>& limits);
 
 /// At B the place is given: a limit of it is not touched there.
 void leave_end(const LimitedTime& problem, std::vector<Sighting>& seen);

@@ -43,7 +43,13 @@ class WithoutArcs {
         curve_(coarse),
         ends_(coarse.problem().ends()) {}
 
-  [[nodiscard]] std::optional<PathWithoutArcs> run(double tolerance) {
+  [[nodiscard]] SolvedWithoutArcs run(double tolerance) {
+    auto path = accurate_to(tolerance);
+    return {std::move(path), std::move(closed_)};
+  }
+
+ private:
+  [[nodiscard]] std::optional<PathWithoutArcs> accurate_to(double tolerance) {
     constexpr int kMostMeshes = 12, kMostElements = 800;
     constexpr double kShare = 0.1;
     if (!close(curve_.problem().mesh())) return std::nullopt;
@@ -84,7 +90,6 @@ class WithoutArcs {
     return std::nullopt;
   }
 
- private:
   static constexpr double kRounding = 1e-13;
   /// What limits are kept by in any case, well above what a certificate allows
   /// them to be exceeded by.
@@ -98,7 +103,9 @@ class WithoutArcs {
   /// On a mesh, from the last path.
   [[nodiscard]] bool close(const Mesh& mesh) {
     margins_ = least_margins(mesh);
-    return close_contact(mesh);
+    if (!close_contact(mesh)) return false;
+    closed_ = curve_;
+    return true;
   }
 
   [[nodiscard]] LimitedTime problem_on(const Mesh& mesh,
@@ -276,6 +283,7 @@ class WithoutArcs {
   IpoptOptions ipopt_;
   PassProtocol& protocol_;
   LimitedCurve curve_;
+  std::optional<LimitedCurve> closed_;  ///< see SolvedWithoutArcs
   LimitedEnds ends_;
   ContactMismatch mismatch_;
   bool ends_as_it_does_ = false;  ///< see keep_between()
@@ -306,10 +314,10 @@ Mesh finer_at_changes(const LimitedCurve& curve) {
   return next;
 }
 
-std::optional<PathWithoutArcs> solve_without_arcs(const LimitedCurve& coarse,
-                                                  double tolerance,
-                                                  const IpoptOptions& ipopt,
-                                                  PassProtocol& protocol) {
+SolvedWithoutArcs solve_without_arcs(const LimitedCurve& coarse,
+                                     double tolerance,
+                                     const IpoptOptions& ipopt,
+                                     PassProtocol& protocol) {
   return WithoutArcs(coarse, ipopt, protocol).run(tolerance);
 }
 

@@ -35,6 +35,21 @@ struct PathWithoutArcs {
   double estimated_error;
 };
 
+/// What solve_without_arcs() comes to.
+struct SolvedWithoutArcs {
+  /// Nothing if a mesh has no solution, or so many do not suffice; the protocol
+  /// tells why.
+  std::optional<PathWithoutArcs> path;
+  /// On the last mesh on which the contact was closed.
+  std::optional<LimitedCurve> closed;
+
+  /// What tells most of the arcs, which may do although it is not accurate
+  /// itself; null if no contact was closed.
+  [[nodiscard]] const LimitedCurve* finest() const {
+    return path ? &path->path.curve : closed ? &*closed : nullptr;
+  }
+};
+
 /// The program under the limits of the scene, on elements that are halved where
 /// what holds changes, until T changes by no more than a share of the
 /// tolerance; then on all of them halved. Where the path exceeds a limit
@@ -43,11 +58,10 @@ struct PathWithoutArcs {
 ///
 /// \param coarse     a solution of the same limits as inequalities
 /// \param tolerance  relative, of T
-/// \return nothing if a mesh has no solution, or so many do not suffice; the
-///         protocol tells why
-[[nodiscard]] std::optional<PathWithoutArcs> solve_without_arcs(
-    const LimitedCurve& coarse, double tolerance, const IpoptOptions& ipopt,
-    PassProtocol& protocol);
+[[nodiscard]] SolvedWithoutArcs solve_without_arcs(const LimitedCurve& coarse,
+                                                   double tolerance,
+                                                   const IpoptOptions& ipopt,
+                                                   PassProtocol& protocol);
 
 /// Elements halved where what holds changes within them or next to them.
 [[nodiscard]] Mesh finer_at_changes(const LimitedCurve& curve);

@@ -89,7 +89,13 @@ class Places {
       : curve_(curve), problem_(curve.problem()), places_(touches_of(curve)) {}
 
   [[nodiscard]] std::optional<int> positive() {
-    const std::vector<Place> switches = switches_of(curve_);
+    std::vector<Place> switches = switches_of(curve_);
+    // What is touched where it begins to hold leaves the control no choice
+    // there: it does not jump.
+    std::erase_if(switches, [&](const Place& place) {
+      return std::ranges::find(places_, place.element, &Place::element) !=
+             places_.end();
+    });
     places_.insert(places_.end(), switches.begin(), switches.end());
     if (places_.empty()) return 0;
     Eigen::MatrixXd schur = own_rates();

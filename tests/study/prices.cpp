@@ -124,6 +124,16 @@ Scene held_everywhere() {
   return under(scene, limits);
 }
 
+/// With a little less friction than 0.47, at 0.46973, the free arc vanishes
+/// that lies between all of it forwards and all of it backwards: τ has a kink.
+Scene small_cylinder(double mu) {
+  Scene scene;
+  scene.body = Body::cylinder(0.04, 0.4, 0.0, 0.5);
+  scene.L = 1.2;
+  scene.H = 0.4;
+  return under(scene, friction(mu));
+}
+
 /// The same scene, λ times as large, under another gravity; limits of forces
 /// have no unit.
 Scene enlarged(Scene scene, double length, double gravity) {
@@ -173,6 +183,10 @@ std::vector<Bound> bounds() {
        move_greatest_force},
       {"ForceThatHoldsEverywhere", "normal_force.max", held_everywhere(),
        move_greatest_force},
+      {"FrictionAboveAKink", "friction", small_cylinder(0.47), move_friction,
+       1e-5},
+      {"FrictionBelowAKink", "friction", small_cylinder(0.4696), move_friction,
+       3e-6},
       {"LargeDisc", "clear_of.disc",
        enlarged(under(base, stone()), kLength, kGravity), move_disc,
        1e-4 * kLength},

@@ -39,7 +39,8 @@ struct Posed {
                           options.ipopt, protocol);
     if (!tightening.tighten()) return std::nullopt;
     return solve_without_arcs(tightening.last(), kToleranceWithoutArcs,
-                              options.ipopt, protocol);
+                              options.ipopt, protocol)
+        .path;
   }
   [[nodiscard]] double tau(const PathWithoutArcs& found) const {
     return found.path.curve.transit_time() / std::sqrt(problem.limited->H);

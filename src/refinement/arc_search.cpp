@@ -23,6 +23,11 @@ bool alike(const std::vector<Arc>& one, const std::vector<Arc>& other) {
            (!a.touch || a.touch->limit == b.touch->limit);
   });
 }
+bool any_alike(const std::vector<std::vector<Arc>>& all,
+               const std::vector<Arc>& arcs) {
+  return std::ranges::any_of(
+      all, [&](const std::vector<Arc>& other) { return alike(other, arcs); });
+}
 
 }  // namespace
 
@@ -52,7 +57,7 @@ std::optional<FittedPath> ArcSearch::fit_corrected(LimitedCurve nearby,
                                                    int degree, bool graded) {
   constexpr int kMostCorrections = 12, kFewest = 12;
   Takeover takeover = Takeover::LedBack;
-  std::vector<std::vector<Arc>> tried;
+  std::vector<std::vector<Arc>> tried, found_before;
   std::optional<FittedPath> last;  // whose arcs were corrected
   for (int i = 0; i < kMostCorrections; ++i) {
     for (Arc& arc : setting.arcs) {
@@ -79,17 +84,18 @@ std::optional<FittedPath> ArcSearch::fit_corrected(LimitedCurve nearby,
                      "the share of work for it was used up");
       return std::nullopt;
     }
-    const bool again =
-        other && std::ranges::any_of(tried, [&](const std::vector<Arc>& arcs) {
-          return alike(arcs, other->arcs);
-        });
+    // What is read off one path on other elements is not quite the same.
+    const bool again = other && (any_alike(tried, other->arcs) ||
+                                 any_alike(found_before, last->arcs));
     if (!fitted || again) {
       if (!last || takeover == Takeover::ForGood) break;
       takeover = Takeover::ForGood;
+      found_before.clear();
       other = corrected(last->curve, last->arcs, takeover);
       if (!other || alike(other->arcs, tried.back())) break;
     }
     tried.push_back(other->arcs);
+    found_before.push_back(last->arcs);
     nearby = last->curve;
     setting.arcs = std::move(other->arcs);
     setting.ends = last->ends;

@@ -17,9 +17,8 @@
 namespace brachisto {
 
 /// What all searches for one answer may take together, in steps of solvers
-/// times the equations that each of them solves: about a minute on one
-/// core.
-inline constexpr double kMostSearchWork = 3e7;
+/// times the equations that each of them solves.
+inline constexpr double kMostSearchWork = 1.2e7;
 /// The shares of it after which the limits asked for are given up, and looser
 /// ones; the rest is for making these exact.
 inline constexpr double kSearchAsAsked = 0.6, kSearchLooser = 0.95;

@@ -19,11 +19,6 @@ namespace brachisto {
 
 namespace {
 
-/// An arc's share of σ.
-double length_of(const std::vector<Arc>& arcs, std::size_t i) {
-  return arcs[i].end - (i == 0 ? 0.0 : arcs[i - 1].end);
-}
-
 using Vector = Eigen::VectorXd;
 
 class Fit {
@@ -331,23 +326,7 @@ class Fit {
       exchange_multipliers(system.problem(), [&](double& touch, int row) {
         touch = system.point().lambda[static_cast<std::size_t>(row)];
       });
-      // What was touched between arcs of which one is gone is so no longer.
-      if (i > 0) {
-        arcs[i - 1].end = arcs[i].end;
-        arcs[i - 1].touch.reset();
-      }
-      arcs.erase(arcs.begin() + static_cast<std::ptrdiff_t>(i));
-      for (std::size_t k = 1; k < arcs.size();) {
-        if (arcs[k - 1].held == arcs[k].held && !arcs[k - 1].touch) {
-          arcs[k - 1].end = arcs[k].end;
-          arcs[k - 1].touch = arcs[k].touch;
-          arcs[k - 1].cuts =
-              equal_cuts(arcs[k - 1].elements() + arcs[k].elements());
-          arcs.erase(arcs.begin() + static_cast<std::ptrdiff_t>(k));
-        } else {
-          ++k;
-        }
-      }
+      leave_out(arcs, i);
       kept_.emplace(system.curve());
       return true;
     }

@@ -52,6 +52,28 @@ void ArcSearch::note(const char* what, const PathSetting& setting) {
       fmt::format("{}: {}\n", what, in_words(setting.arcs, setting.limits));
 }
 
+FittedPath ArcSearch::without_slivers(FittedPath path, int degree) {
+  constexpr double kSliver = 1e-5;
+  for (std::size_t i = 0; i < path.arcs.size();) {
+    std::vector<Arc> arcs = path.arcs;
+    const bool touches = arcs[i].touch || (i > 0 && arcs[i - 1].touch);
+    if (length_of(arcs, i) > kSliver || touches) {
+      ++i;
+      continue;
+    }
+    leave_out(arcs, i);
+    PathSetting setting{path.curve.problem().limits(), arcs, path.ends};
+    note("tried without a sliver", setting);
+    ArcFit less = fit(path.curve, std::move(setting), degree);
+    if (less.path && !corrected(less.path->curve, less.path->arcs)) {
+      path = *std::move(less.path);
+    } else {
+      ++i;
+    }
+  }
+  return path;
+}
+
 std::optional<FittedPath> ArcSearch::fit_corrected(LimitedCurve nearby,
                                                    PathSetting setting,
                                                    int degree, bool graded) {
@@ -77,7 +99,7 @@ std::optional<FittedPath> ArcSearch::fit_corrected(LimitedCurve nearby,
     std::optional<ArcsFromA> other;
     if (fitted) {
       other = corrected(last->curve, last->arcs, takeover);
-      if (!other) return last;
+      if (!other) return without_slivers(*std::move(last), degree);
     }
     if (protocol_.worked_enough()) {
       protocol_.fail(Status::NotConverged,

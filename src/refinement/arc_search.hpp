@@ -37,6 +37,9 @@ class ArcSearch {
                                                         bool graded = false);
 
  private:
+  /// The path without arcs so short that nothing can be told along them, where
+  /// it keeps all limits so: of their equations second order sees rounding.
+  [[nodiscard]] FittedPath without_slivers(FittedPath path, int degree);
   void note(const char* what, const PathSetting& setting);
 
   PassProtocol& protocol_;

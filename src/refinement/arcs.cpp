@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <utility>
 
@@ -41,6 +42,30 @@ double angle_to(const Scene& scene, const PathInequality& limit,
 }
 
 }  // namespace
+
+double length_of(const std::vector<Arc>& arcs, std::size_t i) {
+  return arcs[i].end - (i == 0 ? 0.0 : arcs[i - 1].end);
+}
+
+void leave_out(std::vector<Arc>& arcs, std::size_t i) {
+  // What was touched between arcs of which one is gone is so no longer.
+  if (i > 0) {
+    arcs[i - 1].end = arcs[i].end;
+    arcs[i - 1].touch.reset();
+  }
+  arcs.erase(arcs.begin() + static_cast<std::ptrdiff_t>(i));
+  for (std::size_t k = 1; k < arcs.size();) {
+    if (arcs[k - 1].held == arcs[k].held && !arcs[k - 1].touch) {
+      arcs[k - 1].end = arcs[k].end;
+      arcs[k - 1].touch = arcs[k].touch;
+      arcs[k - 1].cuts =
+          equal_cuts(arcs[k - 1].elements() + arcs[k].elements());
+      arcs.erase(arcs.begin() + static_cast<std::ptrdiff_t>(k));
+    } else {
+      ++k;
+    }
+  }
+}
 
 bool holds_control(const Arc& arc, const std::vector<PathInequality>& limits) {
   return held_of_control(arc.held, limits) >= 0;

@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,6 +37,13 @@ struct Arc {
     return static_cast<int>(cuts.size()) - 1;
   }
 };
+
+/// An arc's share of σ.
+[[nodiscard]] double length_of(const std::vector<Arc>& arcs, std::size_t i);
+
+/// The arc before it, or else the one behind, takes its place, and neighbours
+/// along which the same holds become one.
+void leave_out(std::vector<Arc>& arcs, std::size_t i);
 
 /// Whether a limit of the control holds on an arc.
 [[nodiscard]] bool holds_control(const Arc& arc,

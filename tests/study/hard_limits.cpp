@@ -96,5 +96,16 @@ TEST(HardLimits, ElementsAreHalvedUntilTheMotionIsAsAccurateAsTheTime) {
   EXPECT_LE(solution.certificate.find("reintegration_error")->value, 1e-10);
 }
 
+/// Where friction gives way to a free arc the valley's bound is reached too: an
+/// arc along it has 2e-6 of the path, and its equations are rounding.
+TEST(HardLimits, AnArcOfNothingIsLeftOut) {
+  PathLimits limits;
+  limits.friction = 0.504;
+  limits.curvature.valley = 2.529;
+  limits.curvature.of = CurvatureLimit::Of::Centre;
+
+  confirmed(cylinder_scene(0.8737, 0.71, -76.35, 0.346, 4.101, limits));
+}
+
 }  // namespace
 }  // namespace brachisto

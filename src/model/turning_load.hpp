@@ -35,7 +35,8 @@ struct LoadBounds {
         least = std::max(least, limit.lower);
         most = std::min(most, limit.upper);
       } else if (limit.bounds_force()) {
-        least = std::max(least, 0.0);  // of friction
+        // Of friction: the sum of its two rows, 2 μ R_n.
+        least = std::max(least, limit.lower / limit.number);
       }
     }
   }
@@ -65,11 +66,11 @@ struct LoadBounds {
 }
 
 /// False only if no path without a loop keeps the limits of load: on its last
-/// length of 4 π r the body turns by 4 π and the path by less than 2 π, so that
+/// length of 4 π r the body turns by 4 π and the path by 2 π at most, so that
 /// its mass comes next to the track, and furthest from it. There the centre is
 /// at most that length above its end, which is at least H − 2 r below its
-/// start, and so fast that the load is beyond a bound wherever the track may
-/// bend.
+/// start (H between centres), and so fast that the load is beyond a bound
+/// wherever the track may bend.
 [[nodiscard]] inline bool can_bear_turns(
     const Scene& scene, const std::vector<PathInequality>& limits) {
   const Body& body = scene.body;
@@ -84,8 +85,9 @@ struct LoadBounds {
 
 /// What to say where it cannot.
 inline constexpr std::string_view kTurnsTooFast =
-    "no path leads to B under these limits: in the last turns before it the "
-    "body's own mass, which is off its centre, loads the track more than the "
-    "limits allow or lifts it off, however the track bends within them";
+    "no path without a loop leads to B under these limits: in the last turns "
+    "before it the body's own mass, which is off its centre, loads the track "
+    "more than the limits allow or lifts it off, however the track bends "
+    "within them";
 
 }  // namespace brachisto

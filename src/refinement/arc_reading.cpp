@@ -122,7 +122,7 @@ std::vector<Arc> arcs_of(const LimitedCurve& curve) {
   part_from_control(curve, seen);
   touch_once(seen, problem.limits());
   close_gaps(curve, seen);
-  for (std::size_t i = 1; i + 1 < seen.size(); ++i) {
+  for (std::size_t i = 0; i + 1 < seen.size(); ++i) {
     // Between two limits there is a junction; only where they bound the control
     // from opposite sides, and leave it no choice there, is it more.
     if (seen[i].held != seen[i + 1].held &&
@@ -131,7 +131,9 @@ std::vector<Arc> arcs_of(const LimitedCurve& curve) {
                    curve.at(seen[i].sigma).state))) {
       seen[i].touch.reset();
     }
-    if (seen[i - 1].held == seen[i + 1].held) seen[i].held = seen[i - 1].held;
+    if (i > 0 && seen[i - 1].held == seen[i + 1].held) {
+      seen[i].held = seen[i - 1].held;
+    }
   }
   leave_end(problem, seen);
   return arcs_from(seen, mesh.num_elements(), problem.limits());

@@ -37,8 +37,8 @@ class ArcSearch {
                                                         bool graded = false);
 
  private:
-  /// The path without arcs so short that nothing can be told along them, where
-  /// it keeps all limits so: of their equations second order sees rounding.
+  /// The path without arcs so short that their equations are within rounding
+  /// of each other, where it keeps all limits without them too.
   [[nodiscard]] FittedPath without_slivers(FittedPath path, int degree);
   void note(const char* what, const PathSetting& setting);
 

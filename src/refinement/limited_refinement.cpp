@@ -58,7 +58,8 @@ class LimitedSolve {
     if (mesh_) {
       take_mesh();
     } else {
-      if (protocol_.worked_enough()) tries("until the work for it was done");
+      if (protocol_.worked_enough())
+        tries("until its share of work was used up");
       protocol_.most_work = kSearchLooser * kMostSearchWork;
       come_from_looser();
     }
@@ -91,7 +92,7 @@ class LimitedSolve {
     }
     const double work = protocol_.work;
     if (protocol_.worked_enough()) {
-      tries("until all the work of a search was done");
+      tries("until all the work of a search was used up");
     }
     return {std::move(protocol_).finished(),
             std::move(answer_),

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 #include <vector>
 
 #include "brachisto/model/scene.hpp"
@@ -19,7 +20,7 @@ namespace brachisto {
 
 namespace {
 
-const std::string kNoFixedMesh =
+constexpr std::string_view kNoFixedMesh =
     "no fixed mesh (discretisation.elements or nodes)";
 
 /// What was asked for and what came nearest. Next to rest curvatures are those
@@ -67,13 +68,14 @@ Miss worst(const std::vector<StatedLimit>& limits, const LimitedMotion& motion,
   return miss;
 }
 
-/// A contact whose slopes are free, and what it takes; nothing of a bead.
-std::string optimal_contact(const Scene& scene, bool as_limited) {
+/// A contact whose slopes are free; nothing of a bead.
+/// \param more_limits  whether to name what the scene lacks for it too
+std::string optimal_contact(const Scene& scene, bool more_limits) {
   if (!scene.body.rolls() || scene.contact != Contact::Smooth) return {};
   Scene optimal = scene;
   optimal.contact = Contact::Optimal;
   if (validate(optimal).empty()) return "contact: optimal";
-  return as_limited ? "" : "contact: optimal, with limits.curvature";
+  return more_limits ? "contact: optimal, with limits.curvature" : "";
 }
 
 /// Any of what follows may help, if these limits are in the way.
@@ -90,7 +92,7 @@ std::string advice(const Scene& scene,
     ways.emplace_back("a smaller eta_m");
   }
   if (of_friction) ways.emplace_back("a longer L");
-  const std::string optimal = optimal_contact(scene, true);
+  const std::string optimal = optimal_contact(scene, false);
   if (!optimal.empty()) ways.push_back(optimal);
   return fmt::format("{}", fmt::join(ways, ", "));
 }
@@ -140,7 +142,7 @@ std::string advice_without_answer(const PosedProblem& posed,
   if (refinement.blocking) {
     text = in_words(posed, *refinement.blocking);
   } else if (refinement.status == Status::NoSmoothContact) {
-    const std::string optimal = optimal_contact(posed.asked, false);
+    const std::string optimal = optimal_contact(posed.asked, true);
     if (!optimal.empty()) text = ". To try: " + optimal;
   } else if (refinement.status == Status::NotConverged ||
              refinement.status == Status::NoAdmissiblePath) {
@@ -148,7 +150,8 @@ std::string advice_without_answer(const PosedProblem& posed,
     // A mesh that is given may be too coarse for where limits begin to hold.
     if (refinement.status == Status::NotConverged &&
         posed.program.discretisation.fixed()) {
-      ways = kNoFixedMesh + (ways.empty() ? "" : ", " + ways);
+      ways =
+          fmt::format("{}{}{}", kNoFixedMesh, ways.empty() ? "" : ", ", ways);
     }
     if (!ways.empty()) text = ". To try: " + ways;
   }

@@ -19,8 +19,8 @@ namespace brachisto {
 [[nodiscard]] std::string advice_without_answer(
     const PosedProblem& posed, const LimitedRefinement& refinement);
 
-/// What can help a scene that was not solved and of which no limit is known to
-/// be in the way: any of them may be; empty if it has none.
+/// What can help where no limit is known to be in the way of an answer: any of
+/// them may be; empty if it has none.
 [[nodiscard]] std::string looser_limits(const Scene& asked);
 
 }  // namespace brachisto

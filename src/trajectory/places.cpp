@@ -93,8 +93,11 @@ class Places {
     // What is touched where it begins to hold leaves the control no choice
     // there: it does not jump.
     std::erase_if(switches, [&](const Place& place) {
-      return std::ranges::find(places_, place.element, &Place::element) !=
-             places_.end();
+      const auto& after = problem_.held()->in_element[at(place.element) + 1];
+      return std::ranges::any_of(places_, [&](const Place& touch) {
+        return touch.element == place.element &&
+               after[at(touch.limit)] != nlp::Held::No;
+      });
     });
     places_.insert(places_.end(), switches.begin(), switches.end());
     if (places_.empty()) return 0;

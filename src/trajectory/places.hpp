@@ -19,7 +19,9 @@ namespace brachisto {
 /// them together as many positive eigenvalues as K and S = C − BᵀK⁻¹B have.
 ///
 /// - From a bound on one side the control jumps to one on the other where T is
-///   least: a minimum has one more positive eigenvalue for each.
+///   least: a minimum has one more positive eigenvalue for each, unless
+///   the other is touched there: both keep to one value then, with one slope,
+///   so exchanged over a length δ the controls change T by O(δ³) alone.
 /// - Of two bounds on the same side the narrower one holds, and T is greatest
 ///   where they cross; of a value that is touched the largest one along the
 ///   path is to keep the limit, L_tt = λ c'' < 0. A minimum has none more for

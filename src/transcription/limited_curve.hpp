@@ -79,7 +79,7 @@ class LimitedCurve {
   /// What T grows by with the slope at A as that turns away from the bound of
   /// the corner, what holds the control going on to: not negative in a minimum.
   [[nodiscard]] double corner_multiplier() const;
-  /// At the place t ∈ [0, 1] of an element.
+  /// At the place t ∈ [0, 1] of an element: the state alone, and all.
   [[nodiscard]] TurningPoint<double> state_at(int element, double t) const;
   [[nodiscard]] LimitedPoint at(int element, double t) const;
   [[nodiscard]] LimitedPoint at(double sigma) const;

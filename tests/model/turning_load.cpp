@@ -96,6 +96,30 @@ TEST(TurningLoad, IsBoundedFromAboveOnHumps) {
   EXPECT_FALSE(bears(scene));
 }
 
+/// H at which the mass, furthest from the track, takes just the weight: from
+/// 1 = (2E/A)(η/r − K), with E at the end of 4 π r less all that a body that
+/// starts with its mass at θ_m may be higher there.
+TEST(TurningLoad, IsTakenWhereTheBodyHasTurnedAtLatest) {
+  constexpr double r = 0.03, eta = 0.66, theta = -0.5, k = 0.34, K = 3.0;
+  const double A = (1.0 + eta) * (1.0 + eta) + k;
+  const double E = A / (2.0 * (eta / r - K));
+  const double turned = 4.0 * std::numbers::pi * r;
+  const double lifted = r * eta * (1.0 + std::sin(theta));
+  Scene scene = small_body(r);
+  scene.limits.normal_min = 0.0;
+  scene.limits.curvature.valley = K;
+  scene.limits.curvature.of = CurvatureLimit::Of::Centre;
+  for (const Contact contact : {Contact::Smooth, Contact::Centre}) {
+    scene.contact = contact;
+    const double between = contact == Contact::Smooth ? 2.0 * r : 0.0;
+    const double H = E + turned + lifted + between;
+    scene.H = H * (1.0 - 1e-9);
+    EXPECT_TRUE(bears(scene));
+    scene.H = H * (1.0 + 1e-9);
+    EXPECT_FALSE(bears(scene));
+  }
+}
+
 TEST(TurningLoad, SaysNothingOfWhatNeedNotTurnOrHasItsMassOnItsAxis) {
   Scene scene = small_body(0.2);
   scene.limits.normal_min = 0.5;

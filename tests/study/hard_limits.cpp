@@ -104,7 +104,15 @@ TEST(HardLimits, AnArcOfNothingIsLeftOut) {
   limits.curvature.valley = 2.529;
   limits.curvature.of = CurvatureLimit::Of::Centre;
 
-  confirmed(cylinder_scene(0.8737, 0.71, -76.35, 0.346, 4.101, limits));
+  const Solution solution =
+      confirmed(cylinder_scene(0.8737, 0.71, -76.35, 0.346, 4.101, limits));
+
+  ASSERT_FALSE(solution.limits.empty());
+  for (const LimitOnPath& limit : solution.limits) {
+    for (const ActiveArc& arc : limit.active) {
+      EXPECT_GT(arc.sigma.to - arc.sigma.from, 1e-5) << limit.name;
+    }
+  }
 }
 
 }  // namespace

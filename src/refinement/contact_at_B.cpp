@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "refinement/open_conditions.hpp"
 #include "refinement/tightening.hpp"
 
 namespace brachisto {

@@ -33,8 +33,10 @@ esac
 # Of the Python module.
 python_packages=(pybind11-dev python3-dev python3-numpy)
 # Of the tests alone: a validator of others for the schemas, readers of others for DXF and .nl files,
-# who reads the manual and the completions, and what notebooks, wheels and type checks of Python use.
+# who reads the manual and the completions, what notebooks, wheels and type checks of Python use,
+# and what spares the build of the other kind of library the compiler.
 test_packages=(
+  ccache
   python3-ezdxf python3-jsonschema python3-yaml "${python_packages[@]}" libamplsolver-dev
   groff-base mandoc man-db zsh fish python3-pandas mypy python3-pip python3-venv
 )
@@ -88,6 +90,8 @@ case "${1:-}" in
   test)
     packages+=("${test_packages[@]}")
     install_packages
+    # Builds that lie beside each other share their objects.
+    export CCACHE_BASEDIR="${CCACHE_BASEDIR:-$PWD}" CCACHE_NOHASHDIR=1 CCACHE_DEPEND=1
     # The Python whose packages these are, whatever else is in the PATH.
     build -DBRACHISTO_BUILD_TESTS=ON -DBRACHISTO_BUILD_PYTHON=ON \
       -DPython3_EXECUTABLE=/usr/bin/python3

@@ -13,6 +13,7 @@
 
 #include "app/exit_code.hpp"
 #include "brachisto/solvers/status.hpp"
+#include "study/within_limits.hpp"
 
 namespace brachisto::app {
 
@@ -121,11 +122,7 @@ const std::atomic<int>& catch_signals() {
 }
 
 LastResort::LastResort(double seconds, bool json) {
-  at_limit = ending(
-      Status::TimeLimit,
-      fmt::format("the limit of {:g} s was reached (solver.limits.seconds)",
-                  seconds),
-      json);
+  at_limit = ending(Status::TimeLimit, time_limit_reached(seconds), json);
   at_signal = ending(Status::Interrupted, "stopped by a signal", json);
   struct sigaction action = {};
   action.sa_handler = on_timer;

@@ -48,12 +48,15 @@ void work_until(const StopCondition& stop, Solution& out,
   end(out, stopped_by(stop),
       stop.interrupted()
           ? "stopped by a signal before the end"
-          : fmt::format(
-                "the limit of {:g} s was reached (solver.limits.seconds)",
-                out.options.limits.seconds));
+          : time_limit_reached(out.options.limits.seconds));
 }
 
 }  // namespace
+
+std::string time_limit_reached(double seconds) {
+  return fmt::format("the limit of {:g} s was reached (solver.limits.seconds)",
+                     seconds);
+}
 
 Solution within_limits(const PosedProblem& posed,
                        const std::function<void(Solution&)>& work) {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 #include "brachisto/math/clock.hpp"
 #include "math/cpu_clock.hpp"
@@ -23,6 +24,9 @@ struct AnswerStands {};
 /// but what was recorded of its search; unless the work throws AnswerStands.
 [[nodiscard]] Solution within_limits(
     const PosedProblem& posed, const std::function<void(Solution&)>& work);
+
+/// "the limit of 5 s was reached (solver.limits.seconds)".
+[[nodiscard]] std::string time_limit_reached(double seconds);
 
 /// Adds the time for which it lives to that of the certificate.
 class CertificateTimer {

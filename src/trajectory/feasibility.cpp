@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <string>
 
 #include "model/contact.hpp"
 
@@ -21,6 +22,11 @@ namespace {
 /// Written so that a NaN counts as below.
 bool falls_short(double value, double error) {
   return error > 0.0 ? !(value >= -error) : !(value > 0.0);
+}
+
+std::string place(const Extreme& extreme) {
+  return extreme.at_start ? "at the start"
+                          : fmt::format("at x_b = {:.4g}", extreme.x);
 }
 
 }  // namespace
@@ -44,8 +50,9 @@ std::vector<std::string> infeasible_because(const Scene& scene,
         path.at_start.lifts_off() && std::isfinite(path.normal_force_error);
     if (at_once || !presses) {
       reasons.push_back(fmt::format(
-          "the body would lift off{} = {:.4g} m g at x_b = {:.4g}{}",
-          at_once ? " at the start, least R_n" : ": R_n", force.value, force.x,
+          "the body would lift off{} = {:.4g} m g {}{}",
+          at_once ? " at the start, least R_n" : ": R_n", force.value,
+          place(force),
           scene.limits.any()
               ? "; normal_force: {min: 0} under scene.limits would forbid it"
               : ""));
@@ -58,8 +65,8 @@ std::vector<std::string> infeasible_because(const Scene& scene,
     reasons.push_back(
         margin.at_start
             ? "the track folds at the start, β′ > 0"
-            : fmt::format("the track folds: 1 − r κ_c = {:.4g} at x_b = {:.4g}",
-                          margin.value, margin.x));
+            : fmt::format("the track folds: 1 − r κ_c = {:.4g} {}",
+                          margin.value, place(margin)));
   }
   if (path.self_crossing) {
     reasons.push_back(
@@ -77,8 +84,8 @@ std::vector<std::string> undecided_because(const Scene& scene,
                        const char* unit) {
     if (!(error > 0.0) || !(std::abs(least.value) <= error)) return;
     reasons.push_back(fmt::format(
-        "{} = {:.2g}{} at x_b = {:.4g}, and the error of this mesh is {:.1g}{}",
-        what, least.value, unit, least.x, error, unit));
+        "{} = {:.2g}{} {}, and the error of this mesh is {:.1g}{}", what,
+        least.value, unit, place(least), error, unit));
   };
   if (std::isinf(path.normal_force_error)) {
     return {"this mesh does not tell whether R_n rises at the start"};

@@ -3,10 +3,11 @@
 # SPDX-License-Identifier: MIT
 """Whether sources are compiled with the flags of their own that they need.
 
-    compile_flags.py BUILD          BUILD has a compile_commands.json
+    compile_flags.py BUILD CONFIG   BUILD has a compile_commands.json
 
 Some sources want other floating-point flags than the rest: a file that is moved
-loses them without a word. `compile_flags.json` beside this file says which.
+loses them without a word. `compile_flags.json` beside this file says which. Where CONFIG
+is Debug, levels of optimisation do not count.
 """
 
 import collections
@@ -35,12 +36,17 @@ def sources_of(file):
     return [pathlib.Path(path) for path in re.findall(r'#include "(.+)"', file.read_text())]
 
 
-def main(build):
+def main(build, config):
     with open(pathlib.Path(build) / "compile_commands.json", encoding="utf-8") as file:
         commands = json.load(file)
+
+    def counting(words):
+        return [w for w in words
+                if COUNTS.match(w) and not (config == "Debug" and w.startswith("-O"))]
+
     flags = {}
     for command in commands:
-        words = [w for w in shlex.split(command["command"]) if COUNTS.match(w)]
+        words = counting(shlex.split(command["command"]))
         for source in sources_of(pathlib.Path(command["file"])):
             if source.is_relative_to(SOURCES):
                 flags[source.relative_to(SOURCES).as_posix()] = words
@@ -52,13 +58,14 @@ def main(build):
         own = flags[source][len(common):] if source in flags else None
         if own and source.split("/")[0] in QUICK:
             own = [word for word in own if word != "-O1"]
-        if own != wanted.get(source, []):
+        expected = counting(wanted.get(source, []))
+        if own != expected:
             wrong += 1
             found = "is not compiled" if own is None else f"has {own}"
-            print(f"src/{source}: {found}, expected {wanted.get(source, [])}")
+            print(f"src/{source}: {found}, expected {expected}")
     print(f"{len(flags)} sources, {len(wanted)} with flags of their own, {wrong} wrong")
     return 1 if wrong or not flags else 0
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1]))
+    sys.exit(main(*sys.argv[1:]))

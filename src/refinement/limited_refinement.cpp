@@ -58,8 +58,9 @@ class LimitedSolve {
     if (mesh_) {
       take_mesh();
     } else {
-      if (protocol_.worked_enough())
+      if (protocol_.worked_enough()) {
         tries("until its share of work was used up");
+      }
       protocol_.most_work = kSearchLooser * kMostSearchWork;
       come_from_looser();
     }
@@ -269,12 +270,13 @@ class LimitedSolve {
     tried_mesh_ = true;
     if (!tightening_->tight() || wanted_.fixed()) return {};
     tries("on meshes that know no arcs");
-    const SolvedWithoutArcs solved = solve_without_arcs(
+    SolvedWithoutArcs solved = solve_without_arcs(
         *tightening_->tight(),
         wanted_.tolerance.value_or(kToleranceWithoutArcs), left(), protocol_);
-    mesh_ = solved.path;
-    if (!solved.finest() || stopped()) return {};
-    return arcs_from(*solved.finest());
+    std::optional<FittedPath> path;
+    if (solved.finest() && !stopped()) path = arcs_from(*solved.finest());
+    mesh_ = std::move(solved.path);
+    return path;
   }
   void take_mesh() {
     answer_.emplace(answer_without_arcs(*mesh_, protocol_));

@@ -118,11 +118,11 @@ class LimitedSolve {
     if (tightened) path = with_share(0.5, [&] { return read_off(); });
     const auto settled = [&] { return path || mesh_ || ended(); };
     if (settled() || protocol_.status == Status::NoAdmissiblePath) return path;
-    if (!tightened && tightening_->is_shut()) return path;
     Status status = protocol_.status;
     std::string message = tightened ? only_on_coarse_mesh() : protocol_.message;
     // Each leaves some work to those that come after it.
     if (tightened) path = with_share(0.4, [&] { return from_mesh(); });
+    if (!settled() && tightening_->is_shut()) return path;
     if (!settled() && (tightened || status != Status::Infeasible)) {
       path = with_share(0.4, [&] { return follow_from_loosest(); });
       message += followed();

@@ -4,12 +4,11 @@
 #include "model/loaded_fall.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <optional>
 #include <utility>
+#include <vector>
 
 #include "brachisto/math/clock.hpp"
 #include "brachisto/math/index.hpp"
@@ -30,7 +29,10 @@ constexpr double kNone = std::numeric_limits<double>::infinity();
 /// κ ≤ constant + by_energy/E, or the same of −κ.
 struct CurvatureBound {
   double constant, by_energy;
-  [[nodiscard]] double at(double E) const { return constant + by_energy / E; }
+  /// The most that it lets κ be at E or more.
+  [[nodiscard]] double from(double E) const {
+    return constant + std::max(0.0, by_energy) / E;
+  }
 };
 
 /// One side of a limit of forces, sign · (value − bound) ≥ 0.
@@ -242,7 +244,9 @@ class HighestEnergies {
   [[nodiscard]] static double least(const std::vector<CurvatureBound>& bounds,
                                     double E) {
     double out = kNone;
-    for (const CurvatureBound& bound : bounds) out = std::min(out, bound.at(E));
+    for (const CurvatureBound& bound : bounds) {
+      out = std::min(out, bound.from(E));
+    }
     return out;
   }
   /// The most E at which a curvature may reach a value: constant + by/E ≥ it.
@@ -323,6 +327,8 @@ class HighestEnergies {
     const double at_B =
         scene_.H + lowest_start_ +
         body.radius * body.eta_m * (sin(theta).lower - std::sin(body.theta_m));
+    // At any slope.
+    if (floor() >= at_B - contact_radius(scene_)) return true;
     std::vector<Energy>& next = highest_[at((i + 1) % kSteps)];
     for (int j = 0; j < kSlopes; ++j) {
       Energy& now = highest_[at(i)][at(j)];

@@ -25,10 +25,6 @@ struct Interval {
       : Interval(static_cast<double>(number), static_cast<double>(number)) {}
   Interval(double from, double to) : lower(from), upper(to) {}
 
-  [[nodiscard]] bool contains(double number) const {
-    return lower <= number && number <= upper;
-  }
-
   /// Its middle, by which a formula of two branches takes one.
   explicit operator double() const { return 0.5 * (lower + upper); }
 
@@ -50,10 +46,6 @@ struct Interval {
     return a * Interval(1.0 / b.upper, 1.0 / b.lower);
   }
 };
-
-[[nodiscard]] inline Interval hull(const Interval& a, const Interval& b) {
-  return {std::min(a.lower, b.lower), std::max(a.upper, b.upper)};
-}
 
 [[nodiscard]] inline Interval sin(const Interval& a) {
   const auto has = [&](double place) {

@@ -22,11 +22,7 @@ namespace {
 std::optional<Point> known_start(const Scene& scene,
                                  const std::vector<PathInequality>& limits) {
   if (contact_radius(scene) == 0.0) return Point{0.0, 0.0};
-  if (scene.world.start_speed > 0.0 || scene.contact == Contact::Optimal ||
-      bound_valleys(limits)) {
-    return std::nullopt;
-  }
-  const auto slope = start_angle_under(scene, limits);
+  const auto slope = known_start_slope(scene, limits);
   if (!slope) return std::nullopt;
   const TurningPoint<double> at = resting_at(scene, *slope);
   return Point{at.x, at.z};

@@ -53,4 +53,13 @@ std::optional<double> start_angle_under(
   return best;
 }
 
+std::optional<double> known_start_slope(
+    const Scene& scene, const std::vector<PathInequality>& limits) {
+  if (scene.world.start_speed > 0.0 || scene.contact == Contact::Optimal ||
+      bound_valleys(limits)) {
+    return std::nullopt;
+  }
+  return start_angle_under(scene, limits);
+}
+
 }  // namespace brachisto

@@ -33,4 +33,9 @@ template <class Scalar>
 [[nodiscard]] std::optional<double> start_angle_under(
     const Scene& scene, const std::vector<PathInequality>& limits);
 
+/// The same where a path has to begin with it; nothing where its start slope is
+/// a matter of the whole path.
+[[nodiscard]] std::optional<double> known_start_slope(
+    const Scene& scene, const std::vector<PathInequality>& limits);
+
 }  // namespace brachisto

@@ -58,8 +58,9 @@ class LimitedSolve {
     if (mesh_) {
       take_mesh();
     } else {
-      if (protocol_.worked_enough())
+      if (protocol_.worked_enough()) {
         tries("until its share of work was used up");
+      }
       protocol_.most_work = kSearchLooser * kMostSearchWork;
       come_from_looser();
     }
@@ -117,11 +118,11 @@ class LimitedSolve {
     if (tightened) path = with_share(0.5, [&] { return read_off(); });
     const auto settled = [&] { return path || mesh_ || ended(); };
     if (settled() || protocol_.status == Status::NoAdmissiblePath) return path;
-    if (!tightened && tightening_->is_shut()) return path;
     Status status = protocol_.status;
     std::string message = tightened ? only_on_coarse_mesh() : protocol_.message;
     // Each leaves some work to those that come after it.
     if (tightened) path = with_share(0.4, [&] { return from_mesh(); });
+    if (!settled() && tightening_->is_shut()) return path;
     if (!settled() && (tightened || status != Status::Infeasible)) {
       path = with_share(0.4, [&] { return follow_from_loosest(); });
       message += followed();
@@ -269,12 +270,13 @@ class LimitedSolve {
     tried_mesh_ = true;
     if (!tightening_->tight() || wanted_.fixed()) return {};
     tries("on meshes that know no arcs");
-    const SolvedWithoutArcs solved = solve_without_arcs(
+    SolvedWithoutArcs solved = solve_without_arcs(
         *tightening_->tight(),
         wanted_.tolerance.value_or(kToleranceWithoutArcs), left(), protocol_);
-    mesh_ = solved.path;
-    if (!solved.finest() || stopped()) return {};
-    return arcs_from(*solved.finest());
+    std::optional<FittedPath> path;
+    if (solved.finest() && !stopped()) path = arcs_from(*solved.finest());
+    mesh_ = std::move(solved.path);
+    return path;
   }
   void take_mesh() {
     answer_.emplace(answer_without_arcs(*mesh_, protocol_));

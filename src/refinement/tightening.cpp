@@ -13,8 +13,8 @@
 
 #include "brachisto/math/index.hpp"
 #include "model/contact.hpp"
+#include "model/loaded_fall.hpp"
 #include "model/passage.hpp"
-#include "model/turning_load.hpp"
 #include "nlp/elastic.hpp"
 #include "refinement/open_conditions.hpp"
 #include "refinement/turn_meshes.hpp"
@@ -183,10 +183,10 @@ std::optional<LimitedEnds> Tightening::next_ends(const Inequalities& limits) {
 }
 
 bool Tightening::is_shut() {
-  const bool bears = can_bear_turns(scene_, limits_);
-  if (bears && way_is_open(scene_, limits_)) return false;
+  const bool open = way_is_open(scene_, limits_);
+  if (open && comes_down(scene_, limits_)) return false;
   protocol_.fail(Status::NoAdmissiblePath,
-                 std::string(bears ? kNoWay : kTurnsTooFast));
+                 std::string(open ? kTooFast : kNoWay));
   return true;
 }
 

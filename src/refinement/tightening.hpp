@@ -42,8 +42,8 @@ class Tightening {
   Tightening(const Scene& scene, const ExtremalCurve& free, double phi,
              const IpoptOptions& ipopt, PassProtocol& protocol);
 
-  /// Whether what is in the way leaves no way at all, or no track bears the
-  /// body's turns; then the protocol says so.
+  /// Whether what is in the way leaves no way at all, or loads let the body not
+  /// come down; then the protocol says so.
   bool is_shut();
 
   /// To the limits of the scene, with the slopes of the free extremal if these

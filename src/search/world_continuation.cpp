@@ -71,8 +71,7 @@ std::string left_at_B(const Scene& scene, const ExtremalCurve& last) {
   return fmt::format(
       "of energy the body would {} {:.4g} m g H where the last path ends, {}",
       left < 0.0 ? "lack" : "have", std::abs(left),
-      scene.world.air.any()
-          ? "before the air takes its part; a larger start speed may help"
+      scene.world.air.any() ? "before the air takes its part"
       : scene.world.losses.any()
           ? "before the losses take theirs; a larger start speed may help"
       : left < 0.0 ? "which a larger start speed can give"

@@ -207,10 +207,10 @@ TEST(ValueOfALimit, HasTheDerivativesOfItsJets) {
 }
 
 math::Dependence<6> on_which_depends(const PathInequality& limit,
-                                     const Body& body) {
+                                     const Body& b) {
   using On = math::Dependence<6>;
   return value_of(
-      limit, scene_of(body, 2.0),
+      limit, scene_of(b, 2.0),
       TurningPoint<On>{On::variable(0), On::variable(1), On::variable(2),
                        On::variable(3), On::variable(4), On::variable(5)});
 }

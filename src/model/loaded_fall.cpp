@@ -1,0 +1,385 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "model/loaded_fall.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "brachisto/math/clock.hpp"
+#include "brachisto/math/index.hpp"
+#include "math/angle.hpp"
+#include "math/interval.hpp"
+#include "model/energy.hpp"
+#include "model/start_under_limits.hpp"
+
+namespace brachisto {
+
+namespace {
+
+using math::Interval;
+using math::kTurn;
+
+constexpr double kNone = std::numeric_limits<double>::infinity();
+
+/// κ ≤ constant + by_energy/E, or the same of −κ.
+struct CurvatureBound {
+  double constant, by_energy;
+  /// The most that it lets κ be at E or more.
+  [[nodiscard]] double from(double E) const {
+    return constant + std::max(0.0, by_energy) / E;
+  }
+};
+
+/// One side of a limit of forces, sign · (value − bound) ≥ 0.
+struct ForceRow {
+  PathInequality limit;
+  double sign, bound;
+
+  [[nodiscard]] Interval value(const ContactForce<Interval>& force,
+                               const TurningPoint<Interval>& at) const {
+    return (value_of(limit, force, at) - bound) * sign;
+  }
+};
+
+std::vector<ForceRow> force_rows(const std::vector<PathInequality>& limits) {
+  std::vector<ForceRow> rows;
+  for (const PathInequality& limit : limits) {
+    if (!limit.bounds_force()) continue;
+    if (std::isfinite(limit.lower)) rows.push_back({limit, 1.0, limit.lower});
+    if (std::isfinite(limit.upper)) rows.push_back({limit, -1.0, limit.upper});
+  }
+  return rows;
+}
+
+/// The greatest value over any stretch of a row of numbers that is closed to a
+/// ring.
+class Greatest {
+ public:
+  explicit Greatest(std::vector<double> values) {
+    levels_.push_back(std::move(values));
+    const std::size_t n = levels_.front().size();
+    for (std::size_t length = 1; 2 * length <= n; length *= 2) {
+      const std::vector<double>& below = levels_.back();
+      std::vector<double> next(n);
+      for (std::size_t i = 0; i < n; ++i) {
+        next[i] = std::max(below[i], below[(i + length) % n]);
+      }
+      levels_.push_back(std::move(next));
+    }
+  }
+  [[nodiscard]] double over(int first, int count) const {
+    const int n = static_cast<int>(levels_.front().size());
+    count = std::min(count, n);
+    std::size_t level = 0;
+    while ((2 << level) <= count) ++level;
+    const auto wrapped = [&](int i) { return at(((i % n) + n) % n); };
+    return std::max(levels_[level][wrapped(first)],
+                    levels_[level][wrapped(first + count - (1 << level))]);
+  }
+
+ private:
+  std::vector<std::vector<double>> levels_;  ///< of 1, 2, 4, … values
+};
+
+/// What bounds κ to one side, by δ.
+class SideOfForce {
+ public:
+  /// \param side  1: κ from above, −1: from below
+  SideOfForce(const Scene& scene, const ForceRow& row, double side)
+      : row_(row) {
+    std::vector<double> constant, most, least;
+    for (int i = 0; i < kCells; ++i) {
+      const Interval delta(kTurn * i / kCells, kTurn * (i + 1) / kCells);
+      // At great speed, and at a small one on a sharp bend, all else is small.
+      constexpr double kFast = 1e6, kSlow = 1e-6, kSharp = 1e12;
+      const auto value = [&](double w, double q) {
+        const TurningPoint<Interval> at{0.0, 0.0, delta, w, 0.0, q};
+        return row.value(lossless_contact_force(scene, at), at);
+      };
+      const Interval at_rest = value(0.0, 0.0);
+      const Interval by_energy = (value(kFast, 0.0) - at_rest) *
+                                 (2.0 * scene.gravity / (kFast * kFast));
+      const Interval by_bend = (value(kSlow, kSharp) - at_rest) *
+                               (-2.0 * scene.gravity / (kSlow * kSharp));
+      const Interval per = by_bend * side;
+      const bool bounds = per.lower > 0.0;
+      constant.push_back(bounds ? (by_energy / per).upper : kNone);
+      most.push_back(bounds ? 1.0 / per.lower : kNone);
+      least.push_back(bounds ? -1.0 / per.upper : kNone);
+    }
+    any_ = std::ranges::any_of(constant, [](double c) { return c < kNone; });
+    tables_ = {Greatest(std::move(constant)), Greatest(std::move(most)),
+               Greatest(std::move(least))};
+  }
+  [[nodiscard]] bool any() const { return any_; }
+
+  /// \param at_rest  forces with E = 0
+  [[nodiscard]] CurvatureBound over(
+      const TurningPoint<Interval>& at,
+      const ContactForce<Interval>& at_rest) const {
+    const Interval delta = at.theta - at.beta;
+    const int first = static_cast<int>(std::floor(delta.lower / kCell));
+    const int last = static_cast<int>(std::floor(delta.upper / kCell));
+    const double constant = tables_[0].over(first, last - first + 1);
+    if (constant == kNone) return {kNone, 0.0};
+    const double left = row_.value(at_rest, at).upper;
+    return {constant,
+            left * (left > 0.0 ? tables_[1].over(first, last - first + 1)
+                               : -tables_[2].over(first, last - first + 1))};
+  }
+
+ private:
+  static constexpr int kCells = 2048;
+  static constexpr double kCell = kTurn / kCells;
+
+  ForceRow row_;
+  bool any_ = false;
+  /// Of c_1/c_2, 1/c_2 and −1/c_2.
+  std::vector<Greatest> tables_;
+};
+
+class HighestEnergies {
+ public:
+  HighestEnergies(const Scene& scene, const std::vector<PathInequality>& limits)
+      : scene_(scene),
+        limits_(limits),
+        rows_(force_rows(limits)),
+        turned_(scene.body.radius * kTurn / kSteps) {
+    for (const ForceRow& row : rows_) {
+      for (const double side : {1.0, -1.0}) {
+        SideOfForce bound(scene, row, side);
+        if (bound.any()) (side > 0.0 ? up_ : down_).push_back(std::move(bound));
+      }
+    }
+    for (const PathInequality& limit : limits) {
+      if (limit.kind == PathInequality::Kind::Hump) {
+        hump_ = std::min(hump_, limit.number);
+      }
+      if (limit.kind == PathInequality::Kind::Valley) {
+        valley_ = std::min(valley_, limit.number);
+      }
+    }
+    within_step_ = turned_ * (1.0 + scene.body.eta_m);
+    counted_ = std::max(0.02 * scene.H, 3.0 * within_step_);
+  }
+
+  [[nodiscard]] bool can_say() const {
+    const bool up = hump_ < kNone || !up_.empty();
+    const bool down = valley_ < kNone || !down_.empty();
+    return up && down && !(up_.empty() && down_.empty());
+  }
+
+  [[nodiscard]] bool lead_to_B() {
+    constexpr int kMostTurns = 60;
+    highest_.assign(at(kSteps), std::vector<Energy>(kSlopes, {floor(), true}));
+    lowest_start_ = lowest_start();
+    int unchanged = 0;
+    for (int step = 0; unchanged < kSteps; ++step) {
+      check_stop();
+      if (step >= kMostTurns * kSteps) return true;
+      raised_ = false;
+      if (comes_to_B_from(step % kSteps)) return true;
+      unchanged = raised_ ? 0 : unchanged + 1;
+    }
+    return false;
+  }
+
+ private:
+  static constexpr int kSteps = 384, kSlopes = 768;
+  static constexpr double kSlope = kTurn / kSlopes;
+
+  /// The highest at a slope and a turn, and whether it was raised since it was
+  /// carried on.
+  struct Energy {
+    double height;
+    bool raised;
+  };
+  /// What holds within a step from a slope on.
+  struct Cell {
+    Interval beta;  ///< that it may come to
+    std::vector<CurvatureBound> up, down;
+    double gain = 0.0;    ///< of E
+    double most = kNone;  ///< E from which no curvature keeps all limits
+  };
+
+  [[nodiscard]] static Interval slopes(int j) {
+    return {-std::numbers::pi + j * kSlope,
+            -std::numbers::pi + (j + 1) * kSlope};
+  }
+  [[nodiscard]] Interval turns(int i) const {
+    const double from = scene_.body.theta_m + kTurn * i / kSteps;
+    return {from, from + kTurn / kSteps};
+  }
+
+  /// The least height of a centre at its start above A, r cos β₀: of the slopes
+  /// on which it begins to roll and keeps the limits.
+  [[nodiscard]] double lowest_start() const {
+    const double r = contact_radius(scene_);
+    if (r == 0.0) return 0.0;
+    if (const auto beta = known_start_slope(scene_, limits_)) {
+      return r * std::cos(*beta);
+    }
+    double least = 1.0;
+    for (int j = 0; j < kSlopes; ++j) {
+      const Interval beta = slopes(j);
+      const TurningPoint<Interval> at{0.0, 0.0,  scene_.body.theta_m,
+                                      0.0, beta, 0.0};
+      const ContactForce<Interval> force = lossless_contact_force(scene_, at);
+      const auto holds = [&](const ForceRow& row) {
+        return row.value(force, at).upper >= 0.0;
+      };
+      if (energy_slope(scene_.body, at.theta, beta).upper >= 0.0 &&
+          std::ranges::all_of(rows_, holds)) {
+        least = std::min(least, cos(beta).lower);
+      }
+    }
+    return r * least;
+  }
+
+  [[nodiscard]] static double least(const std::vector<CurvatureBound>& bounds,
+                                    double E) {
+    double out = kNone;
+    for (const CurvatureBound& bound : bounds) {
+      out = std::min(out, bound.from(E));
+    }
+    return out;
+  }
+  /// The most E at which a curvature may reach a value: constant + by/E ≥ it.
+  [[nodiscard]] double most_energy(const CurvatureBound& bound,
+                                   double curvature) const {
+    if (bound.constant >= curvature) return kNone;
+    return bound.by_energy > 0.0
+               ? within_step_ + bound.by_energy / (curvature - bound.constant)
+               : 0.0;
+  }
+  [[nodiscard]] double most_energy(const std::vector<CurvatureBound>& bounds,
+                                   double curvature) const {
+    double out = kNone;
+    for (const CurvatureBound& bound : bounds) {
+      out = std::min(out, most_energy(bound, curvature));
+    }
+    return out;
+  }
+
+  [[nodiscard]] double floor() const { return counted_ + within_step_; }
+
+  static void bound(std::vector<CurvatureBound>& out,
+                    const std::vector<SideOfForce>& forces, double curvature,
+                    const TurningPoint<Interval>& at,
+                    const ContactForce<Interval>& at_rest) {
+    out.clear();
+    if (curvature < kNone) out.push_back({curvature, 0.0});
+    for (const SideOfForce& force : forces) {
+      const CurvatureBound found = force.over(at, at_rest);
+      if (found.constant < kNone) out.push_back(found);
+    }
+  }
+
+  /// What holds within a step from a slope on. While it is fast enough the body
+  /// does not leave what it cannot leave in a step.
+  void look_at(const Interval& theta, const Interval& slopes) {
+    constexpr double kLeast = 0.005;
+    const double slowest = counted_ - within_step_;
+    Cell& out = here_;
+    up_by_ = std::max(kLeast, 0.5 * up_by_);
+    down_by_ = std::max(kLeast, 0.5 * down_by_);
+    for (;;) {
+      out.beta = {slopes.lower - down_by_, slopes.upper + up_by_};
+      if (std::max(up_by_, down_by_) > kTurn) {
+        out.up.clear();
+        out.down.clear();
+        break;
+      }
+      const TurningPoint<Interval> at{0.0, 0.0, theta, 0.0, out.beta, 0.0};
+      const ContactForce<Interval> at_rest = lossless_contact_force(scene_, at);
+      bound(out.up, up_, hump_, at, at_rest);
+      bound(out.down, down_, valley_, at, at_rest);
+      const bool above = turned_ * least(out.up, slowest) > up_by_;
+      const bool below = turned_ * least(out.down, slowest) > down_by_;
+      if (!above && !below) break;
+      if (above) up_by_ *= 2.0;
+      if (below) down_by_ *= 2.0;
+    }
+    out.most = kNone;
+    for (const CurvatureBound& a : out.up) {
+      for (const CurvatureBound& b : out.down) {
+        const CurvatureBound both{a.constant + b.constant,
+                                  a.by_energy + b.by_energy};
+        out.most = std::min(out.most, most_energy(both, 0.0));
+      }
+    }
+    out.gain = turned_ * sin(out.beta).upper +
+               scene_.body.radius * scene_.body.eta_m *
+                   (std::sin(theta.upper) - std::sin(theta.lower));
+  }
+
+  /// Carries the energies of a step on that were raised, unless B is among what
+  /// they come to within it.
+  bool comes_to_B_from(int i) {
+    constexpr double kRaise = 1e-4;
+    const Body& body = scene_.body;
+    const Interval theta = turns(i);
+    const double at_B =
+        scene_.H + lowest_start_ +
+        body.radius * body.eta_m * (sin(theta).lower - std::sin(body.theta_m));
+    // At any slope.
+    if (floor() >= at_B - contact_radius(scene_)) return true;
+    std::vector<Energy>& next = highest_[at((i + 1) % kSteps)];
+    for (int j = 0; j < kSlopes; ++j) {
+      Energy& now = highest_[at(i)][at(j)];
+      if (!std::exchange(now.raised, false)) continue;
+      look_at(theta, slopes(j));
+      const double over_B = contact_radius(scene_) * cos(here_.beta).upper;
+      if (now.height + within_step_ >= at_B - over_B) return true;
+      const double from = std::min(now.height, here_.most);
+      const auto reach = [&](int k, double most) {
+        const double E = std::min(from, most) + here_.gain;
+        if (E > next[at(k)].height) {
+          next[at(k)] = {E + kRaise * scene_.H, true};
+          raised_ = true;
+        }
+        return most + here_.gain > floor();
+      };
+      if (!(from + here_.gain > floor())) continue;
+      reach(j, kNone);
+      for (int k = j + 1; k < kSlopes; ++k) {
+        const double curvature = (k - j - 1) * kSlope / turned_;
+        if (!reach(k, most_energy(here_.up, curvature))) break;
+      }
+      for (int k = j; k-- > 0;) {
+        const double curvature = (j - k - 1) * kSlope / turned_;
+        if (!reach(k, most_energy(here_.down, curvature))) break;
+      }
+    }
+    return false;
+  }
+
+  const Scene& scene_;
+  const std::vector<PathInequality>& limits_;
+  std::vector<ForceRow> rows_;
+  std::vector<SideOfForce> up_, down_;
+  double hump_ = kNone, valley_ = kNone;
+  double turned_;       ///< length of a step
+  double within_step_;  ///< by which E changes within one at most
+  double counted_;      ///< E below which nothing is asked
+  double lowest_start_ = 0.0;
+  std::vector<std::vector<Energy>> highest_;  ///< by step of the turn and slope
+  bool raised_ = false;                       ///< any, in the last step
+  Cell here_;
+  double up_by_ = 0.0, down_by_ = 0.0;  ///< how far here_ goes
+};
+
+}  // namespace
+
+bool comes_down(const Scene& scene, const std::vector<PathInequality>& limits) {
+  if (!scene.body.off_centred() || !scene.world.ordinary()) return true;
+  HighestEnergies energies(scene, limits);
+  return !energies.can_say() || energies.lead_to_B();
+}
+
+}  // namespace brachisto

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -78,11 +79,13 @@ std::string left_at_B(const Scene& scene, const ExtremalCurve& last) {
                    : "but no extremal may lead there");
 }
 
-}  // namespace
+/// A line through the space of scenes, in natural units.
+using SceneLine = std::function<Scene(double fraction)>;
 
-Continuation continue_into_world(const Scene& scene, Continuation ordinary,
-                                 const StopCondition& stop,
-                                 const ProgressHook& progress) {
+/// Follows the extremal along a line through scenes, from `out` at fraction 0.
+/// Where it ends early, `out` keeps the last curve, and has reached < 1.
+void follow(const SceneLine& scene_at, Continuation& out,
+            const StopCondition& stop, const std::function<void(double fraction)>& told) {
   constexpr double kFirstStep = 0.25;
   constexpr double kSmallestStep = 1.0 / 512.0;
   // Newton's method keeps to an extremal that turns less.
@@ -92,12 +95,11 @@ Continuation continue_into_world(const Scene& scene, Continuation ordinary,
   constexpr double kTolerance = 1e-9;
   MeshOptions options;
   options.ipopt.stop = stop;
-  Continuation out = std::move(ordinary);
-  double fraction = 0.0;
   double step = kFirstStep;
-  while (fraction < 1.0) {
-    const double next = std::min(1.0, fraction + step);
-    Scene part = part_of_world(scene, next);
+  out.reached = 0.0;
+  while (out.reached < 1.0) {
+    const double next = std::min(1.0, out.reached + step);
+    Scene part = scene_at(next);
     if (slope_at_A_is_open(part)) {
       part.world.start_slope = out.curve->at(0.0).beta;
     }
@@ -112,7 +114,7 @@ Continuation continue_into_world(const Scene& scene, Continuation ordinary,
     if (stop.met()) {
       out.status = stopped_by(stop);
       out.curve.reset();
-      return out;
+      return;
     }
     std::optional<ExtremalCurve> curve;
     double turn = 0.0;
@@ -124,26 +126,70 @@ Continuation continue_into_world(const Scene& scene, Continuation ordinary,
     }
     if (!same) {
       ++out.rejected_steps;
-      step = 0.5 * (next - fraction);
+      step = 0.5 * (next - out.reached);
       if (step >= kSmallestStep) continue;
       out.status = Status::NotConverged;
-      out.message = fmt::format(
-          "the extremal that continues from the uniform field without air, "
-          "from rest, was followed as far as {:.3g} of {}, not further: {}",
-          fraction, asked_for(scene.world), left_at_B(scene, *out.curve));
-      out.curve.reset();
-      return out;
+      return;
     }
     out.curve = std::move(curve);
     out.phi = found.tangency.phi;
-    fraction = next;
+    out.reached = next;
     step *= std::clamp(kWantedTurn / std::max(turn, 1e-6), 0.5, 4.0);
-    if (progress) {
-      progress("continuation",
-               fmt::format("{:.4g} of the way into the world", fraction));
-    }
+    told(next);
   }
   out.status = Status::Solved;
+}
+
+}  // namespace
+
+Continuation continue_into_world(const Scene& scene, Continuation ordinary,
+                                 const StopCondition& stop,
+                                 const ProgressHook& progress) {
+  Continuation out = std::move(ordinary);
+  follow([&](double fraction) { return part_of_world(scene, fraction); }, out,
+         stop, [&](double fraction) {
+           if (!progress) return;
+           progress("continuation",
+                    fmt::format("{:.4g} of the way into the world", fraction));
+         });
+  if (out.status == Status::NotConverged) {
+    out.message = fmt::format(
+        "the extremal that continues from the uniform field without air, "
+        "from rest, was followed as far as {:.3g} of {}, not further: {}",
+        out.reached, asked_for(scene.world), left_at_B(scene, *out.curve));
+    out.curve.reset();
+  }
+  return out;
+}
+
+Continuation continue_offset_in_world(const Scene& scene,
+                                      Continuation uniform,
+                                      const StopCondition& stop,
+                                      const ProgressHook& progress) {
+  const double least = uniform.curve->scene().body.eta_m;
+  const auto offset = [&](double fraction) {
+    return std::lerp(least, scene.body.eta_m, fraction);
+  };
+  Continuation out = std::move(uniform);
+  follow(
+      [&](double fraction) {
+        Scene part = scene;
+        part.body.eta_m = offset(fraction);
+        return part;
+      },
+      out, stop, [&](double fraction) {
+        if (!progress) return;
+        progress("continuation", fmt::format("η_m = {:.4g} of {:.4g}",
+                                             offset(fraction),
+                                             scene.body.eta_m));
+      });
+  if (out.status == Status::NotConverged) {
+    out.message = fmt::format(
+        "in {}, the extremal of the uniform body was followed to η_m = {:.6g}, "
+        "not to {:.6g}",
+        asked_for(scene.world), offset(out.reached), scene.body.eta_m);
+    out.curve.reset();
+  }
   return out;
 }
 

@@ -22,4 +22,13 @@ namespace brachisto {
                                                const StopCondition& stop,
                                                const ProgressHook& progress);
 
+/// Follows the extremal of a scene in its own world from that of a body of
+/// next to no offset, which is given with its protocol, in the same way.
+///
+/// \param scene    in natural units
+/// \param uniform  with a curve, of the scene with less η_m
+[[nodiscard]] Continuation continue_offset_in_world(
+    const Scene& scene, Continuation uniform, const StopCondition& stop,
+    const ProgressHook& progress);
+
 }  // namespace brachisto

@@ -3,6 +3,7 @@
 
 #include "study/conclude.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <ranges>
 #include <utility>
@@ -60,10 +61,14 @@ void conclude(const PosedProblem& posed, const LimitedRefinement& refinement,
 
 void record_loosened(const PosedProblem& posed,
                      const LimitedRefinement& refinement, Solution& out) {
+  // A search may end beyond its share; what it found is looked at all the same.
+  const double most_work =
+      std::max(kMostSearchWork,
+               refinement.work + (1.0 - kSearchLooser) * kMostSearchWork);
   double work = refinement.work;
   for (const LoosenedPath& nearby : refinement.loosened | std::views::reverse) {
     for (const double more : {0.0, 0.001, 0.005, 0.02}) {  // for its digits
-      if (out.relaxed || posed.stop().met() || work >= kMostSearchWork) return;
+      if (out.relaxed || posed.stop().met() || work >= most_work) return;
       const double by = nearby.by + more;
       if (by == 0.0 || (more > 0.0 && !nearby.knows_arcs())) continue;
       const PosedProblem problem = with_scene(posed, loosened(posed.asked, by));
@@ -73,7 +78,7 @@ void record_loosened(const PosedProblem& posed,
         }
         const auto beside = refine_limited_beside(
             *problem.limited, problem.program.discretisation, nearby.path,
-            problem.mesh_options_after(there.effort), kMostSearchWork - work);
+            problem.mesh_options_after(there.effort), most_work - work);
         if (!beside) return;
         work += beside->work;
         conclude(problem, *beside, there);

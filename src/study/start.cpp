@@ -150,6 +150,32 @@ Start start_from_longer(const PosedProblem& posed) {
   return start;
 }
 
+/// Where the way through the offset and then into the world is blocked, the
+/// other way round: the uniform body goes into the world first.
+void follow_offset_in_world(const PosedProblem& posed, Start& start) {
+  constexpr double kNextToNothing = 1e-12;
+  Scene uniform = posed.natural;
+  uniform.body.eta_m = kNextToNothing;
+  const CycloidArc& arc = *posed.cycloid;
+  Continuation way = continue_from_cycloid(
+      in_ordinary_world(uniform), arc, coarse_mesh(posed.natural, arc),
+      posed.stop(), posed.progress());
+  if (way.curve) {
+    way = continue_into_world(uniform, std::move(way), posed.stop(),
+                              posed.progress());
+  }
+  if (way.curve) {
+    way = continue_offset_in_world(posed.natural, std::move(way), posed.stop(),
+                                   posed.progress());
+  }
+  start.newton_steps += way.newton_steps;
+  start.rejected_steps += way.rejected_steps;
+  if (!way.curve) return;
+  way.newton_steps = start.newton_steps;
+  way.rejected_steps = start.rejected_steps;
+  start = {std::move(way), {}};  // no folds on this way
+}
+
 }  // namespace
 
 Outcome without_cycloid(const PosedProblem& posed) {
@@ -171,10 +197,16 @@ Outcome without_cycloid(const PosedProblem& posed) {
 Start start_from_cycloid(const PosedProblem& posed) {
   Start start =
       posed.cycloid ? start_in_offset(posed) : start_from_longer(posed);
-  if (start.curve && !posed.natural.world.ordinary()) {
+  if (!posed.natural.world.ordinary()) {
     const PhaseTimer timer(Phase::Start);
-    static_cast<Continuation&>(start) = continue_into_world(
-        posed.natural, std::move(start), posed.stop(), posed.progress());
+    if (start.curve) {
+      static_cast<Continuation&>(start) = continue_into_world(
+          posed.natural, std::move(start), posed.stop(), posed.progress());
+    }
+    if (!start.curve && posed.cycloid && posed.natural.body.off_centred() &&
+        !posed.stop().met()) {
+      follow_offset_in_world(posed, start);
+    }
   }
   if (!start.curve && posed.limited && !posed.stop().met()) {
     const Scene& scene = *posed.limited;

@@ -24,7 +24,9 @@ struct Start : Continuation {
 
 /// The principal branch. Where its continuation in natural parameters is stuck,
 /// pseudo-arclength continuation of the indirect method goes on: through folds,
-/// and past near meetings of branches.
+/// and past near meetings of branches. Into another world the extremal is
+/// continued from there; where that fails, the uniform body goes first, and its
+/// offset grows in that world.
 ///
 /// Where the uniform cylinder has no path to B, an off-centred body may have
 /// one: then a scene of greater L, where both have one, is started from, and

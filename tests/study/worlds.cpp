@@ -225,6 +225,31 @@ TEST(Worlds, ThatAreNotReachedTellTheBalanceOfEnergy) {
   EXPECT_THAT(of_far, HasSubstr("before the air takes its part"));
 }
 
+TEST(Worlds, AreReachedByTheUniformBodyFirstWhereAnOffsetBlocksTheWay) {
+  // With its offset the one was followed 0.79 of the way, the other, beyond two
+  // folds, 0.33.
+  Scene outside = about_sphere(
+      scene_of(Body::cylinder(0.0974, 0.16, -27.37 * kPi / 180.0, 0.279)),
+      {{2.75, 16.05}, 6.0, 6.0 * 9.81});
+  outside.L = 3.811;
+  Scene windy = in_air(
+      scene_of(Body::cylinder(0.2778, 0.341, 87.25 * kPi / 180.0, 0.741)),
+      0.111, 0.076);
+  windy.L = 4.267;
+  for (const Scene& scene : {outside, windy}) {
+    SolveOptions options = accurate();
+    options.use<Collocation>().certify = Certify::Extremal;
+
+    const Solution solution = solve(scene, options);
+
+    ASSERT_TRUE(solution.verified()) << solution.message;
+    ASSERT_TRUE(solution.extremal);
+    EXPECT_NEAR(solution.extremal->tau / solution.motion()->tau(), 1.0,
+                kOfClosedForm);
+    EXPECT_TRUE(solution.folds.empty());  // of the way that was blocked
+  }
+}
+
 TEST(ASphere, IsPassedAtElementEndsOnAMeshThatIsAskedForToo) {
   // problems/worlds/into_the_planet.yaml, by both methods to 1e-12. With the
   // kink inside elements τ was off by five of its estimated errors on 160, and

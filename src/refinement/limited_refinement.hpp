@@ -22,6 +22,9 @@ inline constexpr double kMostSearchWork = 1.2e7;
 /// The shares of it after which the limits asked for are given up, and looser
 /// ones; the rest is for making these exact.
 inline constexpr double kSearchAsAsked = 0.6, kSearchLooser = 0.95;
+/// The share that certifying a looser path has at the least, should the search
+/// have gone beyond its own.
+inline constexpr double kCertifyLooser = 0.1;
 
 /// A path under loosened_limits() of a scene.
 struct LoosenedPath : LimitedAnswer {

@@ -62,9 +62,8 @@ void conclude(const PosedProblem& posed, const LimitedRefinement& refinement,
 void record_loosened(const PosedProblem& posed,
                      const LimitedRefinement& refinement, Solution& out) {
   // A search may end beyond its share; what it found is looked at all the same.
-  const double most_work =
-      std::max(kMostSearchWork,
-               refinement.work + (1.0 - kSearchLooser) * kMostSearchWork);
+  const double most_work = std::max(
+      kMostSearchWork, refinement.work + kCertifyLooser * kMostSearchWork);
   double work = refinement.work;
   for (const LoosenedPath& nearby : refinement.loosened | std::views::reverse) {
     for (const double more : {0.0, 0.001, 0.005, 0.02}) {  // for its digits

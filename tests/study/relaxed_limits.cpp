@@ -14,6 +14,9 @@
 #include "brachisto/study/solve.hpp"
 #include "model/loosened_limits.hpp"
 #include "model/path_inequality.hpp"
+#include "study/conclude.hpp"
+#include "study/pose.hpp"
+#include "study/start.hpp"
 #include "support/limited_scenes.hpp"
 
 namespace brachisto::testing {
@@ -68,6 +71,24 @@ TEST(RelaxedLimits, StandInTheDocumentBesideNoNumberOfTheSceneItself) {
   EXPECT_EQ(relaxed.at("limits").at("normal_force").at("max"),
             *solution.relaxed->scene.limits.normal_max);
   EXPECT_LT(relaxed.at("estimated_error"), 1e-10);
+}
+
+/// What a search found that went beyond its share of the work is certified.
+TEST(RelaxedLimits, AreCertifiedAfterASearchThatTookMoreThanItsShare) {
+  const PosedProblem posed = pose(impossible(), {}, {});
+  const Start start = start_from_cycloid(posed);
+  ASSERT_TRUE(start.curve);
+  LimitedRefinement found =
+      refine_limited(*posed.limited, posed.program.discretisation, *start.curve,
+                     start.phi, posed.mesh_options_after({}));
+  ASSERT_FALSE(found.loosened.empty());
+  found.work = 1.05 * kMostSearchWork;
+
+  Solution solution;
+  record_loosened(posed, found, solution);
+
+  ASSERT_NE(solution.relaxed, nullptr);
+  EXPECT_TRUE(solution.relaxed->verified());
 }
 
 TEST(RelaxedLimits, AreNotSoughtWhereTheSceneHasAnAnswer) {

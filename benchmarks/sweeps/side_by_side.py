@@ -5,6 +5,7 @@
 
     side_by_side.py build/release/src/app/brachisto --count 10000 --seed 17
     side_by_side.py build/release/src/app/brachisto --count 1000 --seed 17 --air
+    side_by_side.py build/release/src/app/brachisto --count 1000 --seed 17 --push
 
 Makes a sweep of random scenes, runs it with `solver.method: auto` and with `ipopt` and tells how
 many were left to their own solves, whether verdicts are equal, and by how much T differs. What is

@@ -5,6 +5,7 @@
 
     side_by_side.py build/release/src/app/brachisto --count 10000 --seed 17
     side_by_side.py build/release/src/app/brachisto --count 1000 --seed 17 --air
+    side_by_side.py build/release/src/app/brachisto --count 1000 --seed 17 --push
 
 Makes a sweep of random scenes, runs it with `solver.method: auto` and with `ipopt` and tells how
 many were left to their own solves, whether verdicts are equal, and by how much T differs. What is
@@ -39,6 +40,7 @@ sweep:
 AIR = """      scene.air.linear: {from: 0, to: 0.5}
       scene.air.quadratic: {from: 0, to: 0.2}
 """
+PUSH = "      scene.start.speed: {from: 0.1, to: 3}\n"
 VERDICTS = ("verified", "feasible", "status")
 
 
@@ -61,13 +63,14 @@ def main():
     parser.add_argument("--count", type=int, default=1000)
     parser.add_argument("--seed", type=int, default=17)
     parser.add_argument("--air", action="store_true", help="each scene in an air of its own")
+    parser.add_argument("--push", action="store_true", help="each scene with a start speed of its own")
     parser.add_argument("--jobs", type=int, default=1)
     asked = parser.parse_args()
     text = PROBLEM.format(seed=asked.seed, count=asked.count)
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         problem = folder / "scenes.yaml"
-        problem.write_text(text + (AIR if asked.air else ""))
+        problem.write_text(text + (AIR if asked.air else "") + (PUSH if asked.push else ""))
         beside = rows(asked.program, problem, "auto", folder, asked.jobs)
         alone = rows(asked.program, problem, "ipopt", folder, asked.jobs)
 

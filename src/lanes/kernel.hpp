@@ -14,6 +14,7 @@
 #include <type_traits>
 
 #include "lanes/by_share.hpp"
+#include "lanes/departure.hpp"
 #include "lanes/falling_lanes.hpp"
 #include "lanes/kernels.hpp"
 #include "lanes/newton_step.hpp"
@@ -111,12 +112,10 @@ class Shooting {
       air_.linear.set(i, at.air.linear);
       air_.quadratic.set(i, at.air.quadratic);
       start_angle_.set(i, at.start_angle);
+      start_speed_.set(i, at.start_speed);
     });
   }
-  [[nodiscard]] int last_step() const {
-    return fineness_.offsets +
-           (Where == Falling::InAir ? fineness_.into_world : 0);
-  }
+  [[nodiscard]] int last_step() const { return targets_.front().steps; }
   /// Steps of shots that are doubled for the error.
   [[nodiscard]] int half() const {
     return fineness_.places * fineness_.within / 2;
@@ -126,33 +125,21 @@ class Shooting {
     return Flow(Problem({eta_, theta_m_, k_}, turn_, air_));
   }
 
-  // p_w from 𝓗 = 0 at rest: √A + p_w g a = 0.
-  [[nodiscard]] State start(const Flow& flow, const Unknowns& by) const {
-    const Problem& problem = flow.problem();
-    const Number root =
-        root_of_inertia(problem.bodies(), theta_m_, start_angle_);
-    const Number a = sin(start_angle_) + eta_ * cos(theta_m_);
-    return {radius_ * sin(start_angle_),
-            -(radius_ * cos(start_angle_)),
-            theta_m_,
-            Number(0.0),
-            by[0],
-            by[1],
-            by[2],
-            -(root / (problem.gravity() * a))};
+  [[nodiscard]] Departures<Flow> departures(const Flow& flow) const {
+    return {flow, theta_m_, radius_, start_speed_, start_angle_};
   }
 
   /// From the start to σ = 1; `on_step(i, stack, control)` sees every step.
   template <bool Derivatives, class OnStep>
-  [[nodiscard]] Shot shoot(const Unknowns& by, int steps,
-                           OnStep&& on_step) const {
+  [[nodiscard]] Shot shoot(const Unknowns& by, int steps, OnStep&& on_step,
+                           Leaving leaving = Leaving::Turning) const {
     const Flow flow = this->flow();
     using Inner = ocp::FlowRates<Flow, Derivatives, kPX, kPTheta + 1>;
     using Path = ocp::AdaptiveIntegration<ByShare<Inner, Number>>;
-    const State y0 = start(flow, by);
+    const auto start = departures(flow).with({by[0], by[1], by[2]});
     LastControls<Number> controls;
-    Path path({Inner{flow, start_angle_}, by[3], &controls},
-              Inner::stack_of(y0));
+    Path path({Inner{flow, start.beta}, by[3], &controls},
+              start.template stack<Inner>(leaving));
     on_step(0, flow, path.now(), path.rates().inner.control);
     Jacobi<Number> jacobi{Number(Neighbours<Inner>::kSign)};
     for (int i = 1; i <= steps; ++i) {
@@ -242,7 +229,8 @@ class Shooting {
 
   const Targets& targets_;
   const Fineness& fineness_;
-  Number theta_m_, k_, radius_, turn_, L_, H_, eta_, start_angle_;
+  Number theta_m_, k_, radius_, turn_, L_, H_, eta_, start_angle_,
+      start_speed_;
   Airs<Number> air_;
   Unknowns by_;
   Mask good_;
@@ -318,10 +306,17 @@ void Shooting<Set, Count, Where>::finish(Extremals& out) {
     moving = moving & !(far < Number(kClosed));
   }
   good_ = good_ & !moving;
+  const bool pushed = any(start_speed_ > Number(0.0));
+  if (pushed) {
+    const Shot held = shoot<true>(by_, half, kIgnore, Leaving::Held);
+    whole.least_jacobian = held.least_jacobian;
+    whole.last_jacobian = held.last_jacobian;
+    whole.by_length = held.by_length;
+  }
 
   // Once to take up what doubled steps change, once for the path.
   constexpr bool kBraked = Where == Falling::InAir;
-  const Shot first = shoot<kBraked>(by_, steps, kIgnore);
+  const Shot first = shoot<kBraked>(by_, steps, kIgnore, Leaving::Held);
   const Shot& finest = kBraked ? first : whole;
   if constexpr (kBraked) {
     // The determinant goes as the drag squared: it is seen where doubled steps

@@ -26,12 +26,14 @@ struct Milestone {
   double contact_radius = 0.0;  ///< by which the centre is off the track
   double rotation_per_length = 0.0;
   double L = 0.0, H = 0.0;
-  double start_angle = 0.0;
+  double start_angle = 0.0;  ///< from rest
+  double start_speed = 0.0;
   Air air;
 };
 /// What is shot for, from one that is known.
 struct Target {
-  std::array<Milestone, kMostOnTheWay + 1> way;  ///< as far as there are steps
+  std::array<Milestone, kMostOnTheWay + 1> way;
+  int steps = 0;  ///< of the way, as many for all that are shot together
   /// Of the extremal before the first step.
   std::array<double, Extremal::kUnknowns> unknowns{};
   double sign = 0.0;  ///< see Extremal; 0: that of the first step

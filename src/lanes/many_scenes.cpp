@@ -32,6 +32,7 @@ Milestone milestone(const Scene& natural) {
           .L = natural.L,
           .H = natural.H,
           .start_angle = start_angle(body),
+          .start_speed = natural.world.start_speed,
           .air = natural.world.air};
 }
 
@@ -50,6 +51,7 @@ bool aim(const Scene& natural, const Fineness& fineness, Target& out) {
     *next++ = milestone(on_the_way);
   }
   const int more = natural.world.ordinary() ? 0 : fineness.into_world;
+  out.steps = fineness.offsets + more;
   for (int i = 1; i <= more; ++i) {
     *next++ = milestone(part_of_world(natural, static_cast<double>(i) / more));
   }
@@ -62,6 +64,7 @@ Target aim_beside(const Scene& natural, Scene from, const Extremal& known,
   Target out;
   out.unknowns = known.unknowns;
   out.sign = known.sign;
+  out.steps = offsets;
   // The same direction of the offset may be another angle.
   from.body.theta_m = natural.body.theta_m -
                       std::remainder(natural.body.theta_m - from.body.theta_m,
@@ -120,19 +123,23 @@ void in_eights(std::span<const std::size_t> places, Instructions instructions,
     }
   }
 }
-/// With those that fall freely, then with the others: what a scene is worked
+/// Those that fall freely apart from the others, and those that are pushed: what a scene is worked
 /// out by does not depend on which stand beside it.
 template <class Out>
 std::vector<Out> in_eights(std::span<const Scene> scenes,
                            Instructions instructions, auto&& aim_at,
                            auto&& run) {
   std::vector<Out> out(scenes.size());
-  std::array<std::vector<std::size_t>, 2> places;
+  std::array<std::vector<std::size_t>, 4> places;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
-    places[scenes[i].world.air.any() ? 1 : 0].push_back(i);
+    const World& world = scenes[i].world;
+    places[(world.air.any() ? 2 : 0) + (world.start_speed > 0.0 ? 1 : 0)]
+        .push_back(i);
   }
-  in_eights<Falling::Free>(places[0], instructions, aim_at, run, out);
-  in_eights<Falling::InAir>(places[1], instructions, aim_at, run, out);
+  for (const std::size_t left : {0, 1}) {
+    in_eights<Falling::Free>(places[left], instructions, aim_at, run, out);
+    in_eights<Falling::InAir>(places[2 + left], instructions, aim_at, run, out);
+  }
   return out;
 }
 
@@ -147,8 +154,8 @@ std::optional<Scene> as_shot_for(const Scene& scene) {
 bool fits(const Scene& scene) {
   const World& world = scene.world;
   return scene.body.rolls() && !world.field_varies() && !world.losses.any() &&
-         world.start_speed == 0.0 && !scene.limits.any() &&
-         scene.path == nullptr &&
+         !(world.air.any() && world.start_speed > 0.0) &&
+         !scene.limits.any() && scene.path == nullptr &&
          (scene.contact == Contact::Smooth || scene.contact == Contact::Centre);
 }
 
@@ -179,19 +186,16 @@ std::vector<Extremal> shoot_beside(std::span<const Scene> scenes,
                                    const Fineness& fineness,
                                    Instructions instructions) {
   const Scene before = in_natural_units(without_whole_turns(from));
-  // All of the way is between the scenes: none is left to go into the air.
-  Fineness straight = fineness;
-  straight.into_world = 0;
   return in_eights<Extremal>(
       scenes, instructions,
       [&](std::size_t i, Target& target) {
         const std::optional<Scene> natural = as_shot_for(scenes[i]);
         if (!natural) return false;
-        target = aim_beside(*natural, before, known, straight.offsets);
+        target = aim_beside(*natural, before, known, fineness.offsets);
         return true;
       },
       [&](auto kernel, const Targets& targets, Extremals& eight) {
-        kernel.shoot(targets, straight, eight);
+        kernel.shoot(targets, fineness, eight);
       });
 }
 

@@ -70,8 +70,8 @@ struct Landing {
 using Response = std::array<Landing, Extremal::kUnknowns>;
 
 /// Whether such a scene is one of those that are solved side by side: an
-/// off-centred cylinder or ball in the uniform field, in air or not, from rest,
-/// without losses, limits and a path of its own.
+/// off-centred cylinder or ball in the uniform field, in air or not, from rest, or
+/// pushed without air, without losses, limits and a path of its own.
 [[nodiscard]] bool fits(const Scene& scene);
 
 /// Sets of instructions that there is code for.
@@ -85,7 +85,7 @@ struct Fineness {
   int on_the_way;      ///< steps of the integration there
   int places;          ///< steps of the path that is kept, at the end
   int within;          ///< and of the integration for each of them
-  int into_world = 0;  ///< and then into the air, if there is any
+  int into_world = 0;  ///< and then into air or a push, if there is one
 };
 /// Enough for three scenes of four, and for most of the others.
 inline constexpr Fineness kPlain{8, 10, kMostPlaces / 2, 1, 4},

@@ -27,7 +27,8 @@ bool fits(const SceneToSolve& posed) {
          program->certify == Certify::None &&
          program->sensitivities != SensitivityOrder::Second &&
          (program->sensitivities == SensitivityOrder::None ||
-          program->discretisation.wanted_tolerance() >= kLeastOfRates) &&
+          (program->discretisation.wanted_tolerance() >= kLeastOfRates &&
+           posed.scene.world.start_speed == 0.0)) &&
          program->discretisation.formulation == Formulation::RollingTime &&
          !program->discretisation.fixed() && !program->discretisation.degree &&
          lanes::fits(posed.scene) && validate(posed.scene).empty() &&

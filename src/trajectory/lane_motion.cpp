@@ -10,6 +10,7 @@
 
 #include "brachisto/math/polynomial_basis.hpp"
 #include "extremal/arc_flow.hpp"
+#include "model/contact.hpp"
 #include "model/energy.hpp"
 #include "model/field.hpp"
 #include "model/start_angle.hpp"
@@ -113,6 +114,21 @@ StartLimits LaneMotion::limits_at_start() const {
 
 namespace {
 
+/// Where the slope at the start puts the centre: pushed, it is the path's own.
+double slope_at_start(const Scene& scene, const lanes::Extremal& extremal) {
+  return scene.world.start_speed > 0.0 ? extremal.path.front().beta
+                                       : start_angle(scene);
+}
+Point start_of(const Scene& scene, const lanes::Extremal& extremal) {
+  return centre_above({0.0, 0.0}, contact_radius(scene),
+                      slope_at_start(scene, extremal));
+}
+/// The fall that would give w at the start.
+double pushed_height(const Scene& scene, const lanes::Extremal& extremal) {
+  const double w = pushed_w(scene, slope_at_start(scene, extremal));
+  return 0.5 * w * w / scene.gravity;
+}
+
 /// What is seen at the places of an extremal.
 ///
 /// \param lost  energy until there, per mass
@@ -120,7 +136,8 @@ void look_along(const Scene& scene, const lanes::Extremal& extremal,
                 const std::vector<double>& lost, Certificate& certificate) {
   Largest hamiltonian, drift, slope, gain = kBelowAll;
   int at_rest = 0;
-  const Point start = start_of_centre(scene);
+  const Point start = start_of(scene, extremal);
+  const double pushed = pushed_height(scene, extremal);
   for (int i = 0; i <= extremal.places; ++i) {
     const lanes::Place& at = extremal.path[static_cast<std::size_t>(i)];
     const double sigma = static_cast<double>(i) / extremal.places;
@@ -130,7 +147,8 @@ void look_along(const Scene& scene, const lanes::Extremal& extremal,
         std::abs(brachisto::hamiltonian(scene, state, p, at.beta)) / at.root,
         sigma);
     gain.see(gain_of_other_directions(scene, state, p, at.beta), sigma);
-    const double height = energy_height(scene.body, at.z - start.z, at.theta) -
+    const double height = energy_height(scene.body, at.z - start.z, at.theta) +
+                          pushed -
                           lost[static_cast<std::size_t>(i)] / scene.gravity;
     drift.see(std::abs(at.w * at.w / (2.0 * scene.gravity) - height), sigma);
     slope.see(std::abs(at.beta), sigma);
@@ -176,10 +194,11 @@ Certificate certify(const LaneMotion& motion) {
   }
   look_along(scene, extremal, lost, certificate);
 
-  const Point start = start_of_centre(scene);
+  const Point start = start_of(scene, extremal);
+  const double pushed = pushed_height(scene, extremal);
   const lanes::Place& last =
       extremal.path[static_cast<std::size_t>(extremal.places)];
-  check_contact(scene, start, start_angle(scene), {last.x, last.z},
+  check_contact(scene, start, slope_at_start(scene, extremal), {last.x, last.z},
                 extremal.phi, 0.0, certificate);
 
   // Of the path nothing is taken but its slopes, and what it loses: θ is as far
@@ -189,7 +208,8 @@ Certificate certify(const LaneMotion& motion) {
   for (int e = 0; e < extremal.places; ++e) {
     for (std::size_t i = 0; i < rule.points.size(); ++i) {
       const PathState at = motion.place(e, rule.points[i]).state;
-      const double E = energy_height(body, at.centre.z - start.z, at.theta) -
+      const double E = energy_height(body, at.centre.z - start.z, at.theta) +
+                       pushed -
                        (lost[static_cast<std::size_t>(e)] +
                         motion.lost_within(e, rule.points[i])) /
                            scene.gravity;

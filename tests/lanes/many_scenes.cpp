@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -124,6 +125,29 @@ TEST(ManyScenes, HaveTheClosedFormWithoutOffset) {
       axisymmetric_optimum(scene)->rolling_time(scene.gravity) * std::sqrt(1.5);
   EXPECT_NEAR(transit_time(scene, found) / T, 1.0,
               found.error_estimate + 4.0 * kUlp);
+}
+
+/// Pushed, the centre takes a part of a cycloid whose cusp lies w₀²/(2 g) above
+/// A, from ψ₀ to ψ₁: T = √A √(R/g) (ψ₁ − ψ₀).
+TEST(ManyScenes, HaveTheRaisedCycloidOfAPushWithoutOffset) {
+  constexpr double kUlp = std::numeric_limits<double>::epsilon();
+  constexpr double kFrom = 0.7, kTo = 3.6, kR = 0.6, kA = 1.5;
+  Scene scene;
+  scene.body = Body::cylinder(0.2, 0.0, 0.4, kA - 1.0);
+  scene.contact = Contact::Centre;
+  scene.L = kR * (kTo - std::sin(kTo) - kFrom + std::sin(kFrom));
+  scene.H = kR * (std::cos(kFrom) - std::cos(kTo));
+  scene.world.start_speed =
+      std::sqrt(2.0 * scene.gravity * kR * (1.0 - std::cos(kFrom)) / kA);
+
+  const Extremal found = shoot(std::vector{scene}).front();
+
+  ASSERT_TRUE(found.found);
+  const double T = std::sqrt(kA * kR / scene.gravity) * (kTo - kFrom);
+  EXPECT_NEAR(transit_time(scene, found) / T, 1.0,
+              found.error_estimate + 4.0 * kUlp);
+  // dz/dx = cot(ψ/2)
+  EXPECT_NEAR(found.path.front().beta, 0.5 * (std::numbers::pi - kFrom), 1e-9);
 }
 
 TEST(ManyScenes, HaveTheSameDigitsWhateverStandsBesideThem) {

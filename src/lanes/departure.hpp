@@ -114,10 +114,14 @@ class Departures {
     for (std::size_t j = 0; j < kCostates; ++j) sum = sum + p[j] * f[j].value;
     Start out;
     out.beta = beta;
-    out.y = {radius_ * sin(beta),  -(radius_ * cos(beta)),
-             theta_m_,             w,
-             p[0],                 p[1],
-             p[2],                 -(sum / f[kW].value)};
+    out.y = {radius_ * sin(beta),
+             -(radius_ * cos(beta)),
+             theta_m_,
+             w,
+             p[0],
+             p[1],
+             p[2],
+             -(sum / f[kW].value)};
     out.p_w_by.fill(Number(0.0));
     out.beta_by.fill(Number(0.0));
     out.turning.fill(Number(0.0));

@@ -229,8 +229,7 @@ class Shooting {
 
   const Targets& targets_;
   const Fineness& fineness_;
-  Number theta_m_, k_, radius_, turn_, L_, H_, eta_, start_angle_,
-      start_speed_;
+  Number theta_m_, k_, radius_, turn_, L_, H_, eta_, start_angle_, start_speed_;
   Airs<Number> air_;
   Unknowns by_;
   Mask good_;

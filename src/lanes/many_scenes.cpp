@@ -123,8 +123,8 @@ void in_eights(std::span<const std::size_t> places, Instructions instructions,
     }
   }
 }
-/// Those that fall freely apart from the others, and those that are pushed: what a scene is worked
-/// out by does not depend on which stand beside it.
+/// Those that fall freely, are pushed or are in air, each kind apart: what a
+/// scene is worked out by does not depend on which stand beside it.
 template <class Out>
 std::vector<Out> in_eights(std::span<const Scene> scenes,
                            Instructions instructions, auto&& aim_at,
@@ -154,8 +154,8 @@ std::optional<Scene> as_shot_for(const Scene& scene) {
 bool fits(const Scene& scene) {
   const World& world = scene.world;
   return scene.body.rolls() && !world.field_varies() && !world.losses.any() &&
-         !(world.air.any() && world.start_speed > 0.0) &&
-         !scene.limits.any() && scene.path == nullptr &&
+         !(world.air.any() && world.start_speed > 0.0) && !scene.limits.any() &&
+         scene.path == nullptr &&
          (scene.contact == Contact::Smooth || scene.contact == Contact::Centre);
 }
 

@@ -70,8 +70,8 @@ struct Landing {
 using Response = std::array<Landing, Extremal::kUnknowns>;
 
 /// Whether such a scene is one of those that are solved side by side: an
-/// off-centred cylinder or ball in the uniform field, in air or not, from rest, or
-/// pushed without air, without losses, limits and a path of its own.
+/// off-centred cylinder or ball in the uniform field, in air or not, from rest,
+/// or pushed without air, without losses, limits and a path of its own.
 [[nodiscard]] bool fits(const Scene& scene);
 
 /// Sets of instructions that there is code for.

@@ -85,7 +85,8 @@ using SceneLine = std::function<Scene(double fraction)>;
 /// Follows the extremal along a line through scenes, from `out` at fraction 0.
 /// Where it ends early, `out` keeps the last curve, and has reached < 1.
 void follow(const SceneLine& scene_at, Continuation& out,
-            const StopCondition& stop, const std::function<void(double fraction)>& told) {
+            const StopCondition& stop,
+            const std::function<void(double fraction)>& told) {
   constexpr double kFirstStep = 0.25;
   constexpr double kSmallestStep = 1.0 / 512.0;
   // Newton's method keeps to an extremal that turns less.
@@ -147,7 +148,8 @@ Continuation continue_into_world(const Scene& scene, Continuation ordinary,
                                  const ProgressHook& progress) {
   Continuation out = std::move(ordinary);
   follow([&](double fraction) { return part_of_world(scene, fraction); }, out,
-         stop, [&](double fraction) {
+         stop,
+         [&](double fraction) {
            if (!progress) return;
            progress("continuation",
                     fmt::format("{:.4g} of the way into the world", fraction));
@@ -162,8 +164,7 @@ Continuation continue_into_world(const Scene& scene, Continuation ordinary,
   return out;
 }
 
-Continuation continue_offset_in_world(const Scene& scene,
-                                      Continuation uniform,
+Continuation continue_offset_in_world(const Scene& scene, Continuation uniform,
                                       const StopCondition& stop,
                                       const ProgressHook& progress) {
   const double least = uniform.curve->scene().body.eta_m;
@@ -177,11 +178,12 @@ Continuation continue_offset_in_world(const Scene& scene,
         part.body.eta_m = offset(fraction);
         return part;
       },
-      out, stop, [&](double fraction) {
+      out, stop,
+      [&](double fraction) {
         if (!progress) return;
-        progress("continuation", fmt::format("η_m = {:.4g} of {:.4g}",
-                                             offset(fraction),
-                                             scene.body.eta_m));
+        progress("continuation",
+                 fmt::format("η_m = {:.4g} of {:.4g}", offset(fraction),
+                             scene.body.eta_m));
       });
   if (out.status == Status::NotConverged) {
     out.message = fmt::format(

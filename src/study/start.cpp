@@ -157,9 +157,9 @@ void follow_offset_in_world(const PosedProblem& posed, Start& start) {
   Scene uniform = posed.natural;
   uniform.body.eta_m = kNextToNothing;
   const CycloidArc& arc = *posed.cycloid;
-  Continuation way = continue_from_cycloid(
-      in_ordinary_world(uniform), arc, coarse_mesh(posed.natural, arc),
-      posed.stop(), posed.progress());
+  Continuation way = continue_from_cycloid(in_ordinary_world(uniform), arc,
+                                           coarse_mesh(posed.natural, arc),
+                                           posed.stop(), posed.progress());
   if (way.curve) {
     way = continue_into_world(uniform, std::move(way), posed.stop(),
                               posed.progress());

@@ -46,9 +46,8 @@ void work_until(const StopCondition& stop, Solution& out,
   }
   if (!stopped) return;
   end(out, stopped_by(stop),
-      stop.interrupted()
-          ? "stopped by a signal before the end"
-          : time_limit_reached(out.options.limits.seconds));
+      stop.interrupted() ? "stopped by a signal before the end"
+                         : time_limit_reached(out.options.limits.seconds));
 }
 
 }  // namespace

@@ -63,10 +63,9 @@ std::vector<std::string> infeasible_because(const Scene& scene,
   if (!scene.limits.fold_margin &&
       falls_short(margin.value, path.fold_margin_error)) {
     reasons.push_back(
-        margin.at_start
-            ? "the track folds at the start, β′ > 0"
-            : fmt::format("the track folds: 1 − r κ_c = {:.4g} {}",
-                          margin.value, place(margin)));
+        margin.at_start ? "the track folds at the start, β′ > 0"
+                        : fmt::format("the track folds: 1 − r κ_c = {:.4g} {}",
+                                      margin.value, place(margin)));
   }
   if (path.self_crossing) {
     reasons.push_back(
@@ -83,9 +82,9 @@ std::vector<std::string> undecided_because(const Scene& scene,
   const auto ask = [&](const char* what, const Extreme& least, double error,
                        const char* unit) {
     if (!(error > 0.0) || !(std::abs(least.value) <= error)) return;
-    reasons.push_back(fmt::format(
-        "{} = {:.2g}{} {}, and the error of this mesh is {:.1g}{}", what,
-        least.value, unit, place(least), error, unit));
+    reasons.push_back(
+        fmt::format("{} = {:.2g}{} {}, and the error of this mesh is {:.1g}{}",
+                    what, least.value, unit, place(least), error, unit));
   };
   if (std::isinf(path.normal_force_error)) {
     return {"this mesh does not tell whether R_n rises at the start"};

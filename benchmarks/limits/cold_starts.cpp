@@ -11,8 +11,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -35,7 +37,7 @@ struct Study {
   Scene asked;
   double by = 0.0;  ///< of loosened_limits()
   bool free_slopes = false;
-  int elements = 50, degree = 4, iterations = 600;
+  int elements = 30, degree = 3, iterations = 300;
   double waviness = 0.5;  ///< of the starts, in H
 };
 
@@ -188,7 +190,7 @@ int main(int argc, char** argv) {
   std::uint64_t seed = 1;
   double nearer = 0.1;
   bool as_asked = false;
-  ProcessLimits limits{.jobs = 1, .seconds = 600, .cpu_seconds = 120};
+  ProcessLimits limits{.jobs = 1, .cpu_seconds = 20};
   CLI::App app{"Whether cold starts keep limits that a search gave up"};
   app.add_option("file", file, "Problem with limits")->required();
   app.add_flag("--as-asked", as_asked,
@@ -207,9 +209,13 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--degree", study.degree, "Of its elements")
       ->capture_default_str();
+  app.add_option("--seconds", limits.cpu_seconds,
+                 "Of processor time for a start")
+      ->capture_default_str();
   app.add_option("--jobs", limits.jobs, "Processes at a time")
       ->capture_default_str();
   CLI11_PARSE(app, argc, argv);
+  limits.seconds = 6 * limits.cpu_seconds;
 
   const io::ProblemFile problem = io::read_problem_file(file);
   study.asked = problem.scene;
@@ -224,34 +230,33 @@ int main(int argc, char** argv) {
     study.by = by * (1.0 - nearer);
     fmt::print("{}: answered under limits loosened by {:.4g}\n", file, by);
   }
-  std::vector<Record> records(static_cast<std::size_t>(starts));
+  std::array<int, kFates.size()> ended{};
+  double least = std::numeric_limits<double>::infinity();
   run_isolated<Record>(
       starts, limits,
       [&](int i) {
         return Attempt(study, seed + static_cast<std::uint64_t>(i)).run();
       },
       [&](int i, const std::optional<Record>& record, const std::string& fate) {
-        Record& one = records[static_cast<std::size_t>(i)];
-        if (record) {
-          one = *record;
-        } else {
-          one.reason = FixedText<120>(fate);
+        Record one = record.value_or(Record{});
+        if (!record) one.reason = FixedText<120>(fate);
+        ++ended.at(static_cast<std::size_t>(one.fate));
+        if (one.fate == Record::Fate::GivesWay) {
+          least = std::min(least, one.give);
         }
+        fmt::print(
+            "start {:<3} {:<10} τ {:<9.6g} gives way {:<8.2g} off {:<8.1g} "
+            "β₀ {:<8.4f} φ {:<8.4f} {:>5} iterations  {}\n",
+            i, kFates.at(static_cast<std::size_t>(one.fate)), one.tau, one.give,
+            one.open, one.start, one.phi, one.iterations, one.reason.str());
+        std::fflush(stdout);  // a run that is stopped has told what it knew
       });
-  std::ranges::sort(records, {}, [](const Record& one) {
-    return std::pair(-static_cast<int>(one.fate),
-                     one.give > 0.0 ? one.give : one.tau);
-  });
-  for (const Record& one : records) {
-    fmt::print(
-        "{:<10} τ {:<9.6g} gives way {:<8.2g} off {:<8.1g} β₀ {:<8.4f} "
-        "φ {:<8.4f} {:>5} iterations  {}\n",
-        kFates.at(static_cast<std::size_t>(one.fate)), one.tau, one.give,
-        one.open, one.start, one.phi, one.iterations, one.reason.str());
-  }
-  const auto keep =
-      std::ranges::count(records, Record::Fate::Keeps, &Record::fate);
-  fmt::print("{}: {} of {} cold starts keep its limits loosened by {:.4g}\n",
+  const int keep = ended.at(static_cast<std::size_t>(Record::Fate::Keeps));
+  fmt::print("{}: {} of {} cold starts keep its limits loosened by {:.4g}",
              file, keep, starts, study.by);
+  for (std::size_t i = 0; i < kFates.size(); ++i) {
+    fmt::print("{} {} {}", i == 0 ? ";" : ",", ended.at(i), kFates.at(i));
+  }
+  fmt::print("; least give {:.2g}\n", least);
   return keep == 0 ? 0 : 1;
 }

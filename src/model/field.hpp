@@ -149,6 +149,24 @@ template <class Scalar>
   return v * (v * air.quadratic + Scalar(air.linear));
 }
 
+/// What the field adds to dw/du:
+///
+///     G·(cos β − η sin θ, sin β + η cos θ).
+template <class Scalar>
+[[nodiscard, gnu::always_inline]] inline Scalar field_gain(
+    const Scene& scene, const Pull<Scalar>& G, const Scalar& theta,
+    const Scalar& beta) {
+  using std::cos;
+  using std::sin;
+  const Body& body = scene.body;
+  Scalar along_x = cos(beta), along_z = sin(beta);
+  if (body.off_centred()) {
+    along_x = along_x - sin(theta) * body.eta_m;
+    along_z = along_z + cos(theta) * body.eta_m;
+  }
+  return pull_along(scene, G, along_x, along_z);
+}
+
 /// dw/du without losses, from the work of the field G at the centre of mass and
 /// of the drag on the way ds = w du, which the kinetic energy ½ w² gains:
 ///
@@ -161,20 +179,10 @@ template <class Scalar>
 [[nodiscard, gnu::always_inline]] inline Scalar work_gain(
     const Scene& scene, const Scalar& x, const Scalar& z, const Scalar& theta,
     const Scalar& w, const Scalar& beta, const Scalar& root) {
-  using std::cos;
-  using std::sin;
-  const Body& body = scene.body;
-  const Pull<Scalar> G = pull_on(scene, x, z, theta);
-  Scalar along_x = cos(beta), along_z = sin(beta);
-  if (body.off_centred()) {
-    along_x = along_x - sin(theta) * body.eta_m;
-    along_z = along_z + cos(theta) * body.eta_m;
-  }
-  Scalar gain = pull_along(scene, G, along_x, along_z);
-  if (scene.world.air.any()) {
-    gain = gain - drag(scene.world.air, Scalar(w / root));
-  }
-  return gain;
+  const Scalar gain =
+      field_gain(scene, pull_on(scene, x, z, theta), theta, beta);
+  if (!scene.world.air.any()) return gain;
+  return gain - drag(scene.world.air, Scalar(w / root));
 }
 
 /// The same of the state that stands for w with losses.

@@ -47,13 +47,68 @@ struct ContactForce {
 
 /// Newton's law for the centre of mass, along the track and across it. With
 /// δ = θ − β, q̂ = 1 − η sin δ, the field G at the centre of mass, the drag D on
-/// the centre and w' by speed_gain(),
+/// the centre and w' by work_gain(),
 ///
 ///     v̇ = w'/A + w η cos δ (w/r − q)/A²,
 ///     R_t = (q̂ v̇ − η v_c ω cos δ − G·(cos β, sin β) + D)/g,
 ///     R_n = (G·(−sin β, cos β) − w q/A − η v̇ cos δ + η v_c ω sin δ)/g,
 ///
-/// v_c ω = w²/(A r): affine in q, and regular at rest. Without losses.
+/// v_c ω = w²/(A r): without drag at rest + by_ww w² + by_wq w q, with drag
+/// R_t + (1 − q̂/A) D/g and R_n + η cos δ D/(A g). Without losses.
+template <class Scalar>
+struct ForceForms {
+  ContactForce<Scalar> at_rest, by_ww, by_wq;
+
+  /// \param G  at the centre of mass
+  [[nodiscard]] static ForceForms of(const Scene& scene,
+                                     const Pull<Scalar>& G,
+                                     const Scalar& theta, const Scalar& beta);
+
+  [[nodiscard, gnu::always_inline]] ContactForce<Scalar> operator()(
+      const Scalar& w, const Scalar& q) const {
+    return {at_rest.normal + w * (w * by_ww.normal + q * by_wq.normal),
+            at_rest.tangential +
+                w * (w * by_ww.tangential + q * by_wq.tangential)};
+  }
+};
+
+template <class Scalar>
+[[gnu::always_inline]] inline ForceForms<Scalar> ForceForms<Scalar>::of(
+    const Scene& scene, const Pull<Scalar>& G, const Scalar& theta,
+    const Scalar& beta) {
+  using std::cos;
+  using std::sin;
+  const Body& body = scene.body;
+  using Constant = math::ConstantOf<Scalar>;
+  const Constant per_g = Constant(1.0) / scene.gravity;
+  const Scalar cos_beta = cos(beta), sin_beta = sin(beta);
+  const Scalar pressing =
+      pull_along(scene, G, Scalar(-sin_beta), cos_beta) * per_g;
+  const Scalar gain = field_gain(scene, G, theta, beta) * per_g;
+  if (!body.off_centred()) {
+    const Constant per_A =
+        Constant(1.0) / axisymmetric_inertia_factor<Constant>(body);
+    return {{pressing, gain * (per_A - 1.0)},
+            {Scalar(0.0), Scalar(0.0)},
+            {Scalar(per_A * -per_g), Scalar(0.0)}};
+  }
+  const Constant per_rg = per_g / body.radius;
+  const Scalar pulling = pull_along(scene, G, cos_beta, sin_beta) * per_g;
+  const Scalar delta = theta - beta;
+  const Scalar lever = Scalar(1.0) - sin(delta) * body.eta_m;
+  const Scalar per_A = Scalar(1.0) / inertia_factor(body, theta, beta);
+  const Scalar gain_per_A = gain * per_A;
+  const Scalar cos_per_A = cos(delta) * body.eta_m * per_A;  // η cos δ/A
+  const Scalar lever_per_A = lever * per_A;
+  const Scalar across = per_A - cos_per_A * cos_per_A;
+  const Scalar along = lever_per_A * cos_per_A;
+  return {{pressing - cos(delta) * body.eta_m * gain_per_A,
+           lever * gain_per_A - pulling},
+          {(across - lever_per_A) * per_rg, (along - cos_per_A) * per_rg},
+          {across * -per_g, along * -per_g}};
+}
+
+/// In any field and with drag.
 template <class Scalar>
 [[nodiscard, gnu::always_inline]] inline ContactForce<Scalar>
 lossless_contact_force(const Scene& scene, const TurningPoint<Scalar>& at) {
@@ -62,37 +117,30 @@ lossless_contact_force(const Scene& scene, const TurningPoint<Scalar>& at) {
   using std::sqrt;
   const Body& body = scene.body;
   using Constant = math::ConstantOf<Scalar>;
-  const Constant per_g = Constant(1.0) / scene.gravity;
   const Pull<Scalar> G = pull_on(scene, at.x, at.z, at.theta);
-  const Scalar cos_beta = cos(at.beta), sin_beta = sin(at.beta);
-  const Scalar pressing = pull_along(scene, G, Scalar(-sin_beta), cos_beta);
+  const auto forms = ForceForms<Scalar>::of(scene, G, at.theta, at.beta);
+  const bool air = scene.world.air.any();
+  const auto held = [&](const Scalar& root) {
+    return drag(scene.world.air, Scalar(at.w / root)) *
+           (Constant(1.0) / scene.gravity);
+  };
   if (!body.off_centred()) {
     const auto A = axisymmetric_inertia_factor<Constant>(body);
-    const Scalar gain =
-        work_gain(scene, at.x, at.z, at.theta, at.w, at.beta, Scalar(sqrt(A)));
-    return {(pressing - at.w * at.q * (1.0 / A)) * per_g,
-            gain * ((1.0 / A - 1.0) * per_g)};
+    const auto& [at_rest, by_ww, by_wq] = forms;
+    const Scalar normal = at_rest.normal + at.w * at.q * by_wq.normal;
+    if (!air) return {normal, at_rest.tangential};
+    return {normal, at_rest.tangential +
+                        held(Scalar(sqrt(A))) * (Constant(1.0) - 1.0 / A)};
   }
-  const bool air = scene.world.air.any();
-  const double eta = body.eta_m;
-  const Scalar delta = at.theta - at.beta;
-  const Scalar eta_sin = sin(delta) * eta;
-  const Scalar eta_cos = cos(delta) * eta;
+  const ContactForce<Scalar> force = forms(at.w, at.q);
+  if (!air) return force;
   const Scalar A = inertia_factor(body, at.theta, at.beta);
-  const Scalar root = air ? sqrt(A) : Scalar(1.0);  // of matter in air alone
-  const Scalar gain =
-      work_gain(scene, at.x, at.z, at.theta, at.w, at.beta, root);
-  Scalar pulling = pull_along(scene, G, cos_beta, sin_beta);
-  if (air) pulling = pulling - drag(scene.world.air, Scalar(at.w / root));
-  const Scalar per_A = Scalar(1.0) / A;
-  const Scalar spin = at.w * (Constant(1.0) / body.radius);
-  const Scalar v_dot = (gain + at.w * eta_cos * (spin - at.q) * per_A) * per_A;
-  const Scalar centripetal = at.w * spin * per_A;
-  return {(pressing -
-           (at.w * at.q * per_A + eta_cos * v_dot - eta_sin * centripetal)) *
-              per_g,
-          ((Scalar(1.0) - eta_sin) * v_dot - eta_cos * centripetal - pulling) *
-              per_g};
+  const Scalar braking = held(Scalar(sqrt(A)));
+  const Scalar share = braking / A;
+  const Scalar delta = at.theta - at.beta;
+  return {force.normal + cos(delta) * body.eta_m * share,
+          force.tangential + braking -
+              (Scalar(1.0) - sin(delta) * body.eta_m) * share};
 }
 
 /// The same with losses, which brake by c g R_n/A:

@@ -178,7 +178,7 @@ class Fit {
                       std::max(system.residual(), largest(system.open()))));
     }
     polish(system);
-    LimitedCurve curve = system.curve();
+    LimitedCurve curve = std::move(system).take_curve();
     exchange_multipliers(curve.problem(), [&](double& touch, int row) {
       touch = curve.point().lambda[static_cast<std::size_t>(row)];
     });
@@ -390,7 +390,7 @@ std::optional<FittedPath> path_on_arcs(const Scene& scene,
       !system.move_to(setting, std::move(point))) {
     return std::nullopt;
   }
-  LimitedCurve curve = system.curve();
+  LimitedCurve curve = std::move(system).take_curve();
   const ContactMismatch mismatch = mismatch_of(curve, ends);
   return FittedPath{std::move(arcs), ends, std::move(curve), mismatch};
 }

@@ -83,6 +83,13 @@ void PathSystem::release(std::vector<int> rows) {
   chain_ = BorderedChain::make(*system_);
 }
 
+LimitedCurve PathSystem::take_curve() && {
+  chain_.reset();
+  system_.reset();
+  moved_.reset();
+  return {*problem_, std::move(point_)};
+}
+
 double PathSystem::residual() const {
   const std::span<const double> all = system_->residual();
   const int n = problem_->num_variables();

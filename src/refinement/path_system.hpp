@@ -67,6 +67,8 @@ class PathSystem {
   [[nodiscard]] bool move_to(PathSetting setting, PrimalDual point);
   [[nodiscard]] const PrimalDual& point() const { return point_; }
   [[nodiscard]] LimitedCurve curve() const { return {*problem_, point_}; }
+  /// The same, after which this has none: matrix and factors are freed first.
+  [[nodiscard]] LimitedCurve take_curve() &&;
   /// The largest of the optimality conditions that are not released.
   [[nodiscard]] double residual() const;
   [[nodiscard]] const Eigen::VectorXd& open() const { return open_; }

@@ -7,6 +7,7 @@
 
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -255,38 +256,43 @@ class Turning : public Moving {
     }
     return contact_force(scene_, at);
   }
-  /// Where it does not depend on the place: with derivatives by θ, w, β and q
-  /// alone, which are half as many.
+  /// Where it does not depend on the place: with derivatives of the forms by θ
+  /// and β alone.
+  /// \pre the point is of variables
   template <class Jet>
   [[nodiscard, gnu::flatten]] ContactForce<Jet> force_anywhere(
       const TurningPoint<Jet>& at) const {
-    constexpr int kFew = 4;
-    using Few = math::Jet2<double, kFew>;
-    const auto few = [](const Jet& variable, int index) {
-      Few out(variable.value);
-      out.gradient[static_cast<std::size_t>(index)] =
-          variable.gradient[static_cast<std::size_t>(kTheta) +
-                            static_cast<std::size_t>(index)];
-      return out;
-    };
-    const ContactForce<Few> force = contact_force(
-        scene_,
-        TurningPoint<Few>{Few(at.x.value), Few(at.z.value), few(at.theta, 0),
-                          few(at.w, 1), few(at.beta, 2), few(at.q, 3)});
-    const auto all = [](const Few& number) {
-      Jet out(number.value);
-      for (int a = 0; a < kFew; ++a) {
-        const int i = static_cast<int>(kTheta) + a;
-        out.gradient[static_cast<std::size_t>(i)] =
-            number.gradient[static_cast<std::size_t>(a)];
+    using Two = math::Jet2<double, 2>;
+    const auto [at_rest, by_ww, by_wq] = ForceForms<Two>::of(
+        scene_, field_at(scene_, Two(at.x.value), Two(at.z.value)),
+        Two::variable(at.theta.value, 0), Two::variable(at.beta.value, 1));
+    const double w = at.w.value, q = at.q.value;
+    constexpr std::array<int, 2> kBoth{kTheta, kBeta};
+    constexpr int kQ = kStates;
+    const auto all = [&](const Two& rest, const Two& ww, const Two& wq) {
+      const Two sum = rest + ww * (w * w) + wq * (w * q);
+      const Two by_w = ww * (2.0 * w) + wq * q;
+      Jet out(sum.value);
+      out.gradient[kW] = by_w.value;
+      out.gradient[kQ] = w * wq.value;
+      out.hessian[Jet::pair(kW, kW)] = 2.0 * ww.value;
+      out.hessian[Jet::pair(kQ, kW)] = wq.value;
+      for (int a = 0; a < 2; ++a) {
+        const auto of = static_cast<std::size_t>(a);
+        const int i = kBoth[of];
+        out.gradient[static_cast<std::size_t>(i)] = sum.gradient[of];
+        out.hessian[Jet::pair(std::max<int>(i, kW), std::min<int>(i, kW))] =
+            by_w.gradient[of];
+        out.hessian[Jet::pair(kQ, i)] = w * wq.gradient[of];
         for (int b = 0; b <= a; ++b) {
-          out.hessian[Jet::pair(i, static_cast<int>(kTheta) + b)] =
-              number.hessian[Few::pair(a, b)];
+          out.hessian[Jet::pair(i, kBoth[static_cast<std::size_t>(b)])] =
+              sum.hessian[Two::pair(a, b)];
         }
       }
       return out;
     };
-    return {all(force.normal), all(force.tangential)};
+    return {all(at_rest.normal, by_ww.normal, by_wq.normal),
+            all(at_rest.tangential, by_ww.tangential, by_wq.tangential)};
   }
 };
 

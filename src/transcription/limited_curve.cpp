@@ -289,8 +289,6 @@ PrimalDual sample_at_mesh(
   PrimalDual out;
   out.x.assign(at(problem.num_variables()), 0.0);
   out.lambda.assign(at(problem.num_constraints()), 0.0);
-  out.z_lower.assign(out.x.size(), 0.0);
-  out.z_upper.assign(out.x.size(), 0.0);
   const auto put = [&](int node, const TurningPoint<double>& state) {
     out.x[at(layout.state(node, X))] = state.x;
     out.x[at(layout.state(node, Z))] = state.z;

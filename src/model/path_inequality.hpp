@@ -53,22 +53,23 @@ struct ContactForce {
 ///     R_t = (q̂ v̇ − η v_c ω cos δ − G·(cos β, sin β) + D)/g,
 ///     R_n = (G·(−sin β, cos β) − w q/A − η v̇ cos δ + η v_c ω sin δ)/g,
 ///
-/// v_c ω = w²/(A r): without drag at rest + by_ww w² + by_wq w q, with drag
-/// R_t + (1 − q̂/A) D/g and R_n + η cos δ D/(A g). Without losses.
+/// v_c ω = w²/(A r): at_rest + by_ww w² + by_wq w q,
+/// plus by_drag D/g, (1 − q̂/A) along and η cos δ/A across. Without losses.
 template <class Scalar>
 struct ForceForms {
-  ContactForce<Scalar> at_rest, by_ww, by_wq;
+  ContactForce<Scalar> at_rest, by_ww, by_wq, by_drag;
+  Scalar per_A;
 
   /// \param G  at the centre of mass
-  [[nodiscard]] static ForceForms of(const Scene& scene,
-                                     const Pull<Scalar>& G,
+  [[nodiscard]] static ForceForms of(const Scene& scene, const Pull<Scalar>& G,
                                      const Scalar& theta, const Scalar& beta);
 
+  /// Without drag.
   [[nodiscard, gnu::always_inline]] ContactForce<Scalar> operator()(
       const Scalar& w, const Scalar& q) const {
-    return {at_rest.normal + w * (w * by_ww.normal + q * by_wq.normal),
-            at_rest.tangential +
-                w * (w * by_ww.tangential + q * by_wq.tangential)};
+    return {
+        at_rest.normal + w * (w * by_ww.normal + q * by_wq.normal),
+        at_rest.tangential + w * (w * by_ww.tangential + q * by_wq.tangential)};
   }
 };
 
@@ -90,7 +91,9 @@ template <class Scalar>
         Constant(1.0) / axisymmetric_inertia_factor<Constant>(body);
     return {{pressing, gain * (per_A - 1.0)},
             {Scalar(0.0), Scalar(0.0)},
-            {Scalar(per_A * -per_g), Scalar(0.0)}};
+            {Scalar(per_A * -per_g), Scalar(0.0)},
+            {Scalar(0.0), Scalar(Constant(1.0) - per_A)},
+            Scalar(per_A)};
   }
   const Constant per_rg = per_g / body.radius;
   const Scalar pulling = pull_along(scene, G, cos_beta, sin_beta) * per_g;
@@ -105,42 +108,32 @@ template <class Scalar>
   return {{pressing - cos(delta) * body.eta_m * gain_per_A,
            lever * gain_per_A - pulling},
           {(across - lever_per_A) * per_rg, (along - cos_per_A) * per_rg},
-          {across * -per_g, along * -per_g}};
+          {across * -per_g, along * -per_g},
+          {cos_per_A, Scalar(1.0) - lever_per_A},
+          per_A};
 }
 
 /// In any field and with drag.
 template <class Scalar>
 [[nodiscard, gnu::always_inline]] inline ContactForce<Scalar>
 lossless_contact_force(const Scene& scene, const TurningPoint<Scalar>& at) {
-  using std::cos;
-  using std::sin;
   using std::sqrt;
-  const Body& body = scene.body;
   using Constant = math::ConstantOf<Scalar>;
-  const Pull<Scalar> G = pull_on(scene, at.x, at.z, at.theta);
-  const auto forms = ForceForms<Scalar>::of(scene, G, at.theta, at.beta);
-  const bool air = scene.world.air.any();
-  const auto held = [&](const Scalar& root) {
-    return drag(scene.world.air, Scalar(at.w / root)) *
-           (Constant(1.0) / scene.gravity);
-  };
-  if (!body.off_centred()) {
-    const auto A = axisymmetric_inertia_factor<Constant>(body);
-    const auto& [at_rest, by_ww, by_wq] = forms;
-    const Scalar normal = at_rest.normal + at.w * at.q * by_wq.normal;
-    if (!air) return {normal, at_rest.tangential};
-    return {normal, at_rest.tangential +
-                        held(Scalar(sqrt(A))) * (Constant(1.0) - 1.0 / A)};
-  }
-  const ContactForce<Scalar> force = forms(at.w, at.q);
-  if (!air) return force;
-  const Scalar A = inertia_factor(body, at.theta, at.beta);
-  const Scalar braking = held(Scalar(sqrt(A)));
-  const Scalar share = braking / A;
-  const Scalar delta = at.theta - at.beta;
-  return {force.normal + cos(delta) * body.eta_m * share,
-          force.tangential + braking -
-              (Scalar(1.0) - sin(delta) * body.eta_m) * share};
+  const bool on_axis = !scene.body.off_centred();
+  const auto forms = ForceForms<Scalar>::of(
+      scene, pull_on(scene, at.x, at.z, at.theta), at.theta, at.beta);
+  const ContactForce<Scalar> force =
+      on_axis ? ContactForce<Scalar>{forms.at_rest.normal +
+                                         at.w * at.q * forms.by_wq.normal,
+                                     forms.at_rest.tangential}
+              : forms(at.w, at.q);
+  if (!scene.world.air.any()) return force;
+  const Scalar braking =
+      drag(scene.world.air, Scalar(at.w * sqrt(forms.per_A))) *
+      (Constant(1.0) / scene.gravity);
+  const Scalar along = force.tangential + forms.by_drag.tangential * braking;
+  if (on_axis) return {force.normal, along};
+  return {force.normal + forms.by_drag.normal * braking, along};
 }
 
 /// The same with losses, which brake by c g R_n/A:

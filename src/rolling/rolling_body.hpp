@@ -263,7 +263,7 @@ class Turning : public Moving {
   [[nodiscard, gnu::flatten]] ContactForce<Jet> force_anywhere(
       const TurningPoint<Jet>& at) const {
     using Two = math::Jet2<double, 2>;
-    const auto [at_rest, by_ww, by_wq] = ForceForms<Two>::of(
+    const auto forms = ForceForms<Two>::of(
         scene_, field_at(scene_, Two(at.x.value), Two(at.z.value)),
         Two::variable(at.theta.value, 0), Two::variable(at.beta.value, 1));
     const double w = at.w.value, q = at.q.value;
@@ -291,6 +291,7 @@ class Turning : public Moving {
       }
       return out;
     };
+    const auto& [at_rest, by_ww, by_wq, by_drag, per_A] = forms;
     return {all(at_rest.normal, by_ww.normal, by_wq.normal),
             all(at_rest.tangential, by_ww.tangential, by_wq.tangential)};
   }

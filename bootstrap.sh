@@ -90,8 +90,10 @@ case "${1:-}" in
   test)
     packages+=("${test_packages[@]}")
     install_packages
-    # Builds that lie beside each other share their objects.
-    export CCACHE_BASEDIR="${CCACHE_BASEDIR:-$PWD}" CCACHE_NOHASHDIR=1 CCACHE_DEPEND=1
+    # Builds that lie beside each other share their objects, also where ctest, which empties
+    # variables of the locale, begins one.
+    export CCACHE_BASEDIR="${CCACHE_BASEDIR:-$PWD}" CCACHE_NOHASHDIR=1 CCACHE_DEPEND=1 \
+      CCACHE_SLOPPINESS=locale
     # The Python whose packages these are, whatever else is in the PATH.
     build -DBRACHISTO_BUILD_TESTS=ON -DBRACHISTO_BUILD_PYTHON=ON \
       -DPython3_EXECUTABLE=/usr/bin/python3

@@ -14,7 +14,7 @@
 #include "campaign/random_scene.hpp"
 #include "campaign/record.hpp"
 #include "campaign/summary.hpp"
-#include "support/processes.hpp"
+#include "support/drawn_scenes.hpp"
 #include "support/table.hpp"
 
 using namespace brachisto;
@@ -22,15 +22,7 @@ using namespace brachisto::benchmarks;
 
 namespace {
 
-struct Flags {
-  std::uint64_t seed = 1;
-  int count = 1000;
-  int first = 0;
-  ProcessLimits limits{.jobs = 1, .seconds = 900};
-  std::string out = BRACHISTO_SOURCE_DIR "/benchmarks/results/campaign.csv";
-};
-
-int run(const Flags& flags) {
+int run(const DrawnScenes& flags) {
   std::vector<Examined> all;
   for (int i = 0; i < flags.count; ++i) {
     const int index = flags.first + i;
@@ -62,8 +54,7 @@ int run(const Flags& flags) {
   }
   write_file(flags.out, csv);
   const Verdicts verdicts = count(all);
-  fmt::print("Seed {}, scenes {} to {}. {}.\n\n{}\n", flags.seed, flags.first,
-             flags.first + flags.count - 1, machine(), summary(all));
+  fmt::print("{}\n\n{}\n", flags.described(), summary(all));
   fmt::print("{}: {:.2f} % verified (wanted {:.1f} %), {} disagreeing\n",
              verdicts.passed() ? "passed" : "FAILED", 100.0 * verdicts.share(),
              100.0 * kWantedShare, verdicts.disagreeing);
@@ -73,22 +64,12 @@ int run(const Flags& flags) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Flags flags;
+  DrawnScenes flags{
+      .count = 1000,
+      .limits = {.seconds = 900},
+      .out = BRACHISTO_SOURCE_DIR "/benchmarks/results/campaign.csv"};
   CLI::App app{"Random scenes, solved by two independent methods"};
-  app.add_option("--seed", flags.seed, "Of the random scenes")
-      ->capture_default_str();
-  app.add_option("--count", flags.count, "How many scenes")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  app.add_option("--first", flags.first, "Number of the first scene")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  app.add_option("--jobs", flags.limits.jobs, "Processes at a time")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  app.add_option("--seconds", flags.limits.seconds, "For one scene, at most")
-      ->capture_default_str();
-  app.add_option("--out", flags.out, "CSV file")->capture_default_str();
+  flags.read_from(app);
   CLI11_PARSE(app, argc, argv);
   return run(flags);
 }

@@ -17,7 +17,7 @@
 #include "campaign/random_scene.hpp"
 #include "feasibility/dense_motion.hpp"
 #include "study/answer_kinds.hpp"
-#include "support/processes.hpp"
+#include "support/drawn_scenes.hpp"
 #include "support/table.hpp"
 
 using namespace brachisto;
@@ -59,24 +59,18 @@ constexpr double kLargestMiss = 1e-5;
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::uint64_t seed = 1;
-  int count = 1000;
-  ProcessLimits limits{.jobs = 2, .seconds = 300};
-  std::string out = BRACHISTO_SOURCE_DIR "/benchmarks/results/feasibility.csv";
+  DrawnScenes drawn{
+      .count = 1000,
+      .limits = {.jobs = 2, .seconds = 300},
+      .out = BRACHISTO_SOURCE_DIR "/benchmarks/results/feasibility.csv"};
   CLI::App app{"Feasibility, told by two independent evaluations"};
-  app.add_option("--seed", seed, "Of the random scenes")->capture_default_str();
-  app.add_option("--count", count, "How many scenes")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  app.add_option("--jobs", limits.jobs, "Processes at a time")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  app.add_option("--out", out, "CSV file")->capture_default_str();
+  drawn.read_from(app);
   CLI11_PARSE(app, argc, argv);
+  const auto& [seed, count, first, limits, out] = drawn;
 
   std::vector<Scene> scenes;
   for (int i = 0; i < count; ++i) {
-    scenes.push_back(random_scene(seed, i, std::numbers::pi));
+    scenes.push_back(random_scene(seed, first + i, std::numbers::pi));
   }
   std::vector<std::string> lines(scenes.size());
   int solved = 0, compared = 0, feasible = 0, at_start = 0, differ = 0;
@@ -88,7 +82,7 @@ int main(int argc, char** argv) {
         const Body& body = scene.body;
         std::string& line = lines[static_cast<std::size_t>(i)];
         line =
-            fmt::format("{},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}", i,
+            fmt::format("{},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}", first + i,
                         scene.L, body.radius, body.eta_m, body.theta_m, body.k);
         if (!record || !record->verified) {
           line += fmt::format(",{},,,,,,,,\n",
@@ -125,6 +119,6 @@ int main(int argc, char** argv) {
   table.push_back({std::to_string(count), std::to_string(solved),
                    std::to_string(compared), std::to_string(feasible),
                    std::to_string(at_start), std::to_string(differ)});
-  fmt::print("Seed {}. {}.\n\n{}", seed, machine(), markdown_table(table));
+  fmt::print("{}\n\n{}", drawn.described(), markdown_table(table));
   return differ == 0 && compared > 0 ? 0 : 1;
 }

@@ -19,7 +19,7 @@
 #include "campaign/random_scene.hpp"
 #include "limits/random_limits.hpp"
 #include "support/csv.hpp"
-#include "support/processes.hpp"
+#include "support/drawn_scenes.hpp"
 #include "support/table.hpp"
 #include "support/text.hpp"
 #include "trajectory/stated_limits.hpp"
@@ -99,7 +99,10 @@ void hear(const Solution& found, Record& record) {
 
 /// What is drawn and how it is judged.
 struct Campaign {
-  std::uint64_t seed = 1;
+  DrawnScenes scenes{
+      .count = 500,
+      .limits = {.seconds = 120},
+      .out = BRACHISTO_SOURCE_DIR "/benchmarks/results/limits.csv"};
   bool worlds = false;
   bool losses = false;
   bool witness = false;
@@ -108,22 +111,23 @@ struct Campaign {
 
 /// The one that limits are drawn round.
 Scene free_scene(const Campaign& campaign, int index) {
-  return campaign.worlds ? random_world_scene(campaign.seed, index)
-                         : random_scene(campaign.seed, index);
+  const std::uint64_t seed = campaign.scenes.seed;
+  return campaign.worlds ? random_world_scene(seed, index)
+                         : random_scene(seed, index);
 }
 
 Record examine(const Campaign& campaign, int index) {
   Record record;
+  const std::uint64_t seed = campaign.scenes.seed;
   const Scene free = free_scene(campaign, index);
   record.world = FixedText<160>(described_world(free));
-  auto limited = validate(free).empty()
-                     ? under_random_limits(free, campaign.seed, index)
-                     : std::nullopt;
+  auto limited = validate(free).empty() ? under_random_limits(free, seed, index)
+                                        : std::nullopt;
   if (!limited) {
     record.fate = Fate::NoFree;
     return record;
   }
-  if (campaign.losses) add_losses(limited->scene, campaign.seed, index);
+  if (campaign.losses) add_losses(limited->scene, seed, index);
   const Scene& scene = limited->scene;
   record.free_tau = limited->free_tau;
   record.limits = FixedText<160>(described(scene));
@@ -175,23 +179,8 @@ Record examine(const Campaign& campaign, int index) {
 
 int main(int argc, char** argv) {
   Campaign campaign;
-  int count = 500;
-  int first = 0;
-  ProcessLimits limits{.jobs = 1, .seconds = 120};
-  std::string out = BRACHISTO_SOURCE_DIR "/benchmarks/results/limits.csv";
   CLI::App app{"Random scenes under random limits"};
-  app.add_option("--seed", campaign.seed, "Of the random scenes")
-      ->capture_default_str();
-  app.add_option("--count", count, "How many scenes")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  app.add_option("--first", first, "Number of the first scene")
-      ->capture_default_str();
-  app.add_option("--jobs", limits.jobs, "Processes at a time")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  app.add_option("--seconds", limits.seconds, "For one scene, at most")
-      ->capture_default_str();
+  campaign.scenes.read_from(app);
   app.add_flag("--worlds", campaign.worlds,
                "Each in a random world, around what is free there");
   app.add_flag("--losses", campaign.losses, "With rolling resistance");
@@ -199,8 +188,8 @@ int main(int argc, char** argv) {
                "Solve once more by the indirect method what is verified");
   app.add_option("--problems", campaign.problems,
                  "Folder for a problem file of each scene, for the command");
-  app.add_option("--out", out, "CSV file")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
+  const auto& [seed, count, first, limits, out] = campaign.scenes;
 
   std::vector<Record> all(static_cast<std::size_t>(count));
   run_isolated<Record>(
@@ -245,8 +234,7 @@ int main(int argc, char** argv) {
         csv_field(one.reason.str()), csv_field(one.no_witness.str()));
   }
   write_file(out, csv);
-  fmt::print("Seed {}, scenes {} to {}. {}.\n\n", campaign.seed, first,
-             first + count - 1, machine());
+  fmt::print("{}\n\n", campaign.scenes.described());
   const int counted = count - fates[Fate::NoFree];
   int good = 0;
   for (const auto& [fate, number] : fates) {

@@ -6,10 +6,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
+#include <iterator>
 
 #include "support/csv.hpp"
 #include "support/table.hpp"
+#include "support/ways.hpp"
 
 namespace brachisto::benchmarks {
 
@@ -53,14 +54,8 @@ std::string csv(const std::vector<Run>& runs) {
 std::vector<Run> read_runs(const std::string& path) {
   std::vector<Run> runs;
   for (const CsvRow& row : read_csv(path)) {
-    const Way* const way =
-        std::ranges::find(kWays, row.text("way"), &Way::name);
-    if (way == std::end(kWays)) {
-      throw std::runtime_error(path + ": no way to solve is called " +
-                               row.text("way"));
-    }
     Run& run = runs.emplace_back();
-    run.way = static_cast<int>(way - kWays);
+    run.way = way_of(row, kWays, path);
     run.nodes = row.integer("nodes");
     run.repeats = row.integer("repeats");
     run.fate = row.text("fate");
@@ -103,13 +98,15 @@ std::string markdown(const std::vector<Run>& runs) {
 }
 
 report::Chart chart(const std::vector<Run>& runs, const std::string& path) {
-  report::Chart chart;
-  chart.name = path.substr(path.find_last_of('/') + 1);
+  using Point = std::optional<report::Datum>;
+  report::Chart chart =
+      chart_over_nodes(path, kWays, runs, [](const Run& run) -> Point {
+        if (!run.record || !run.record->solved) return std::nullopt;
+        return Point(
+            {static_cast<double>(run.nodes), run.record->solve_seconds});
+      });
   chart.title = "The same program, solved by peers";
-  chart.x.label = "nodes";
-  chart.x.scale = report::Scale::Logarithmic;
   chart.y.label = "processor time of the solve [s]";
-  chart.y.scale = report::Scale::Logarithmic;
   constexpr report::Mark kMarks[] = {report::Mark::Disc, report::Mark::Square,
                                      report::Mark::Triangle,
                                      report::Mark::Diamond};
@@ -117,24 +114,12 @@ report::Chart chart(const std::vector<Run>& runs, const std::string& path) {
       report::family_colours(std::size(kMarks));
   for (std::size_t w = 0; w < std::size(kWays); ++w) {
     const auto peer = static_cast<std::size_t>(kWays[w].peer);
-    report::Curve curve;
-    for (const Run& run : runs) {
-      if (static_cast<std::size_t>(run.way) != w || !run.record ||
-          !run.record->solved) {
-        continue;
-      }
-      curve.points.push_back(
-          {static_cast<double>(run.nodes), run.record->solve_seconds});
-    }
-    curve.id = kWays[w].name;
-    curve.name = kWays[w].name;
-    std::ranges::replace(curve.name, '_', ' ');
+    report::Curve& curve = chart.curves[w];
     curve.colour = colours[peer];
     curve.mark = kMarks[peer];
     curve.stroke = kWays[w].formulation == Formulation::RollingTime
                        ? report::Stroke::Solid
                        : report::Stroke::Dashed;
-    chart.curves.push_back(std::move(curve));
   }
   return chart;
 }

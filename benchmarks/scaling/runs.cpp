@@ -6,10 +6,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
+#include <iterator>
 
 #include "support/csv.hpp"
 #include "support/power_law.hpp"
+#include "support/ways.hpp"
 
 namespace brachisto::benchmarks {
 
@@ -45,14 +46,8 @@ std::string csv(const std::vector<Run>& runs) {
 std::vector<Run> read_runs(const std::string& path) {
   std::vector<Run> runs;
   for (const CsvRow& row : read_csv(path)) {
-    const Way* const way =
-        std::ranges::find(kWays, row.text("way"), &Way::name);
-    if (way == std::end(kWays)) {
-      throw std::runtime_error(path + ": no way to solve is called " +
-                               row.text("way"));
-    }
     Run& run = runs.emplace_back();
-    run.way = static_cast<int>(way - kWays);
+    run.way = way_of(row, kWays, path);
     run.nodes = row.integer("nodes");
     run.fate = row.text("fate");
     if (row.text("verified").empty()) continue;
@@ -77,40 +72,32 @@ std::vector<Run> read_runs(const std::string& path) {
 }
 
 report::Chart chart(const std::vector<Run>& runs, const std::string& path) {
-  report::Chart chart;
-  chart.name = path.substr(path.find_last_of('/') + 1);
+  using Point = std::optional<report::Datum>;
+  report::Chart chart =
+      chart_over_nodes(path, kWays, runs, [](const Run& run) -> Point {
+        if (!run.record || !run.record->verified) return std::nullopt;
+        return Point(
+            {static_cast<double>(run.record->nodes), run.record->user_seconds});
+      });
   chart.title = "Cost of a solve against the size of its mesh";
-  chart.x.label = "nodes";
-  chart.x.scale = report::Scale::Logarithmic;
   chart.y.label = "user CPU time of the process [s]";
-  chart.y.scale = report::Scale::Logarithmic;
   constexpr report::Mark kMarks[] = {
       report::Mark::Disc,   report::Mark::Square,  report::Mark::Triangle,
       report::Mark::Circle, report::Mark::Diamond, report::Mark::Cross};
   const std::vector<std::string> colours =
       report::family_colours(std::size(kWays));
   for (std::size_t w = 0; w < std::size(kWays); ++w) {
-    report::Curve curve;
+    report::Curve& curve = chart.curves[w];
     std::vector<report::Datum> large;
-    for (const Run& run : runs) {
-      if (static_cast<std::size_t>(run.way) != w || !run.record ||
-          !run.record->verified) {
-        continue;
-      }
-      curve.points.push_back(
-          {static_cast<double>(run.record->nodes), run.record->user_seconds});
-      if (run.record->nodes > 5'000) large.push_back(curve.points.back());
-    }
-    curve.id = kWays[w].name;
-    curve.name = kWays[w].name;
-    std::replace(curve.name.begin(), curve.name.end(), '_', ' ');
+    std::ranges::copy_if(
+        curve.points, std::back_inserter(large),
+        [](const report::Datum& point) { return point.x > 5'000; });
     if (const auto law = fit_power(large)) {
       curve.name += fmt::format(" (n^{{{:.2f}}})", law->exponent);
     }
     curve.colour = colours[w];
     curve.mark = kMarks[w];
     curve.stroke = w < 3 ? report::Stroke::Solid : report::Stroke::Dashed;
-    chart.curves.push_back(std::move(curve));
   }
   return chart;
 }

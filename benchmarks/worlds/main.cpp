@@ -15,7 +15,7 @@
 #include "brachisto/study/solve.hpp"
 #include "model/world_part.hpp"
 #include "support/csv.hpp"
-#include "support/processes.hpp"
+#include "support/drawn_scenes.hpp"
 #include "support/table.hpp"
 #include "support/text.hpp"
 #include "worlds/random_world.hpp"
@@ -84,25 +84,14 @@ Record examine(std::uint64_t seed, int index) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::uint64_t seed = 1;
-  int count = 200;
-  int first = 0;
-  ProcessLimits limits{.jobs = 1, .seconds = 120};
-  std::string out = BRACHISTO_SOURCE_DIR "/benchmarks/results/worlds.csv";
+  DrawnScenes scenes{
+      .count = 200,
+      .limits = {.seconds = 120},
+      .out = BRACHISTO_SOURCE_DIR "/benchmarks/results/worlds.csv"};
   CLI::App app{"Random scenes in other worlds"};
-  app.add_option("--seed", seed, "Of the random scenes")->capture_default_str();
-  app.add_option("--count", count, "How many scenes")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  app.add_option("--first", first, "Number of the first scene")
-      ->capture_default_str();
-  app.add_option("--jobs", limits.jobs, "Processes at a time")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  app.add_option("--seconds", limits.seconds, "For one scene, at most")
-      ->capture_default_str();
-  app.add_option("--out", out, "CSV file")->capture_default_str();
+  scenes.read_from(app);
   CLI11_PARSE(app, argc, argv);
+  const auto& [seed, count, first, limits, out] = scenes;
 
   std::vector<Record> all(static_cast<std::size_t>(count));
   run_isolated<Record>(
@@ -139,8 +128,7 @@ int main(int argc, char** argv) {
                        csv_field(one.reason.str()));
   }
   write_file(out, csv);
-  fmt::print("Seed {}, scenes {} to {}. {}.\n\n", seed, first,
-             first + count - 1, machine());
+  fmt::print("{}\n\n", scenes.described());
   for (const auto& [fate, number] : fates) {
     fmt::print("{:>5} {}\n", number, kFates.at(static_cast<std::size_t>(fate)));
   }

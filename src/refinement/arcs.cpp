@@ -158,6 +158,52 @@ bool kinks_at_rest(const LimitedCurve& curve, const std::vector<Arc>& arcs) {
          curve.at(0.0).state.beta - start_angle(scene) > kKink;
 }
 
+std::optional<std::vector<Arc>> held_from_rest(const LimitedCurve& curve,
+                                               const std::vector<Arc>& arcs) {
+  constexpr double kJustBehind = 1e-6;  // σ, for there is no motion at rest
+  constexpr double kWider = 1.3;
+  constexpr double kAtBound = 1e-9, kBeyond = 1e-7;
+  const LimitedTime& problem = curve.problem();
+  const Scene& scene = problem.scene();
+  if (!problem.ends().start_slope_fixed || problem.pushed() ||
+      !is_free(arcs.front().held)) {
+    return std::nullopt;
+  }
+  const TurningPoint<double> rest = curve.state_at(0, 0.0);
+  const auto beyond_rest = [&](double sigma) {
+    const LimitedPoint here = curve.at(sigma);
+    return minimising_slope(scene, moving(here.state), here.p, rest.beta) -
+           rest.beta;
+  };
+  const double leaning = beyond_rest(kJustBehind);
+  TurningPoint<double> beyond = rest;
+  beyond.beta += leaning;
+  const auto excess = [&](const PathInequality& limit, Held where,
+                          const TurningPoint<double>& place) {
+    const double over = value_of(limit, scene, place) - bound_of(limit, where);
+    return where == Held::AtUpper ? over : -over;
+  };
+  std::vector<Held> held = arcs.front().held;
+  for (std::size_t i = 0; i < held.size() && is_free(held); ++i) {
+    const PathInequality& limit = problem.limits()[i];
+    if (!limit.bounds_force()) continue;
+    for (const Held where : {Held::AtLower, Held::AtUpper}) {
+      if (std::abs(excess(limit, where, rest)) <= kAtBound &&
+          excess(limit, where, beyond) > kBeyond) {
+        held[i] = where;
+      }
+    }
+  }
+  if (is_free(held)) return std::nullopt;
+  for (double end = kJustBehind; end < arcs.front().end; end *= kWider) {
+    if (beyond_rest(end) * leaning > 0.0) continue;
+    std::vector<Arc> out = arcs;
+    out.insert(out.begin(), {.held = held, .end = end, .cuts = equal_cuts(2)});
+    return out;
+  }
+  return std::nullopt;
+}
+
 double junction_residual(const LimitedCurve& curve,
                          const std::vector<Arc>& arcs, std::size_t arc) {
   const LimitedTime& problem = curve.problem();

@@ -110,6 +110,14 @@ enum class Takeover {
 [[nodiscard]] bool kinks_at_rest(const LimitedCurve& curve,
                                  const std::vector<Arc>& arcs);
 
+/// The same arcs with one before them, along which the limit on forces holds
+/// that the static cone at A ends at, if the costates of a free first arc ask
+/// for a slope beyond it there: up to where they ask for the slope at A. As
+/// long as such an arc is shorter than an element, no limit need be exceeded on
+/// it. Nothing if there is none.
+[[nodiscard]] std::optional<std::vector<Arc>> held_from_rest(
+    const LimitedCurve& curve, const std::vector<Arc>& arcs);
+
 /// By how much a condition of optimality fails at the junction behind an arc:
 ///
 /// - between a free arc and one on a limit of the control the slope β less the

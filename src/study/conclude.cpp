@@ -108,11 +108,17 @@ void conclude_resolved(const PosedProblem& posed, LimitedRefinement found,
   conclude(posed, found, out);
   for (int round = 1; round < kRounds; ++round) {
     if (!found.answer || found.answer->path.arcs.empty() || wanted.fixed() ||
-        posed.stop().met() || !under_resolved(out.certificate)) {
+        posed.stop().met() || out.certificate.verified()) {
       return;
     }
     FittedPath path = found.answer->path;
-    path.arcs = halved(std::move(path.arcs));
+    if (auto arcs = held_from_rest(path.curve, path.arcs)) {
+      path.arcs = *std::move(arcs);
+    } else if (under_resolved(out.certificate)) {
+      path.arcs = halved(std::move(path.arcs));
+    } else {
+      return;
+    }
     auto finer = refine_limited_beside(*posed.limited, wanted, path,
                                        posed.mesh_options_after(out.effort));
     if (finer && !finer->answer) record_work(*finer, out);

@@ -115,5 +115,33 @@ TEST(HardLimits, AnArcOfNothingIsLeftOut) {
   }
 }
 
+/// Resistance in proportion to the load asks for a slope beyond the vertical at
+/// rest, where the body would lift off: at first it rolls down without load,
+/// along 3e-4 of the path, where no point of a mesh lies.
+TEST(HardLimits, ABodyWithRollingResistanceBeginsWithoutLoad) {
+  PathLimits limits;
+  limits.normal_min = 0.0;
+  limits.normal_max = 2.465;
+  Scene scene = cylinder_scene(0.0327, 0.0, 0.0, 0.243, 1.525, limits);
+  scene.world.losses.rolling = 0.0025;
+
+  const Solution solution = confirmed(scene);
+
+  ASSERT_FALSE(solution.limits.empty());
+  const std::vector<ActiveArc>& least_load = solution.limits[0].active;
+  ASSERT_EQ(least_load.size(), 1U);
+  EXPECT_EQ(least_load[0].sigma.from, 0.0);
+  ASSERT_NE(solution.motion(), nullptr);
+  const double end = least_load[0].sigma.to;
+  for (const double share : {0.1, 0.5, 0.9}) {
+    const TrajectoryPoint falling = solution.motion()->at(share * end);
+    EXPECT_NEAR(falling.beta, std::numbers::pi / 2.0, 1e-9);
+    // As along a vertical wall that it only touches, rolling.
+    const double fall = scene.gravity / (1.0 + scene.body.k);
+    EXPECT_NEAR(falling.s, 0.5 * fall * falling.t * falling.t,
+                1e-9 * falling.s);
+  }
+}
+
 }  // namespace
 }  // namespace brachisto

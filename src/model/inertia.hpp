@@ -11,6 +11,7 @@
 
 #include "brachisto/model/body.hpp"
 #include "math/constant_of.hpp"
+#include "math/interval.hpp"
 
 namespace brachisto {
 
@@ -33,6 +34,16 @@ template <class AnyBody, class Scalar>
   const Scalar half = (theta - beta) * 0.5;
   const Scalar d = cos(half) - sin(half);
   return d * d * (2.0 * eta) + ((1.0 - eta) * (1.0 - eta) + body.k);
+}
+
+/// The same over a range of places, in which δ occurs once: it is enclosed as
+/// closely as can be, and as 1 − sin δ ≥ 0 never by a range with 0 in it.
+[[nodiscard]] inline math::Interval inertia_factor(const Body& body,
+                                                   const math::Interval& theta,
+                                                   const math::Interval& beta) {
+  const double eta = body.eta_m;
+  return (1.0 - sin(theta - beta)) * (2.0 * eta) +
+         ((1.0 - eta) * (1.0 - eta) + body.k);
 }
 
 /// The same from sin δ, as eq. (7) prints it, for where sines and cosines of θ

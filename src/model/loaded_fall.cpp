@@ -95,17 +95,12 @@ class SideOfForce {
     std::vector<double> constant, most, least;
     for (int i = 0; i < kCells; ++i) {
       const Interval delta(kTurn * i / kCells, kTurn * (i + 1) / kCells);
-      // At great speed, and at a small one on a sharp bend, all else is small.
-      constexpr double kFast = 1e6, kSlow = 1e-6, kSharp = 1e12;
-      const auto value = [&](double w, double q) {
-        const TurningPoint<Interval> at{0.0, 0.0, delta, w, 0.0, q};
-        return row.value(lossless_contact_force(scene, at), at);
-      };
-      const Interval at_rest = value(0.0, 0.0);
-      const Interval by_energy = (value(kFast, 0.0) - at_rest) *
-                                 (2.0 * scene.gravity / (kFast * kFast));
-      const Interval by_bend = (value(kSlow, kSharp) - at_rest) *
-                               (-2.0 * scene.gravity / (kSlow * kSharp));
+      const TurningPoint<Interval> at{0.0, 0.0, delta, 0.0, 0.0, 0.0};
+      const auto forms = ForceForms<Interval>::of(
+          scene, pull_on(scene, at.x, at.z, at.theta), at.theta, at.beta);
+      const double by = 2.0 * scene.gravity * row.sign;
+      const Interval by_energy = value_of(row.limit, forms.by_ww, at) * by;
+      const Interval by_bend = value_of(row.limit, forms.by_wq, at) * -by;
       const Interval per = by_bend * side;
       const bool bounds = per.lower > 0.0;
       constant.push_back(bounds ? (by_energy / per).upper : kNone);

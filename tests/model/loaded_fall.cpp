@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "math/interval.hpp"
 #include "model/energy.hpp"
 #include "model/start_under_limits.hpp"
 
@@ -141,6 +142,43 @@ TEST(LoadedFall, NoMotionWithinTheLimitsComesDownWhereThatIsDenied) {
     scene.H += deep - 0.02;
     EXPECT_TRUE(falls(scene));
     EXPECT_GT(deepest(scene), 0.0);
+  }
+}
+
+/// Also where A is small, and over slopes far from each other.
+TEST(LoadedFall, RestsOnForcesThatAreEnclosed) {
+  using math::Interval;
+  constexpr int kRanges = 4000, kPlaces = 10;
+  constexpr double kRounding = 1e-9;
+  std::mt19937 random(5);
+  Scene scene;
+  for (int i = 0; i < kRanges; ++i) {
+    const double eta = 1.0 - std::pow(10.0, in(random, -2.0, -0.3));
+    scene.body =
+        Body::cylinder(0.1, eta, 0.0, (1.0 - eta * eta) * in(random, 0.0, 0.5));
+    const auto some = [&](double most) {
+      const double from = in(random, -4.0, 4.0);
+      return Interval(from, from + std::pow(10.0, in(random, -3.0, most)));
+    };
+    const Interval theta = some(-1.0), beta = some(0.7);
+    const auto forces = [&](auto at_theta, auto at_beta) {
+      using Scalar = decltype(at_theta);
+      const Pull<Scalar> G = pull_on(scene, Scalar(0.0), Scalar(0.0), at_theta);
+      const auto forms = ForceForms<Scalar>::of(scene, G, at_theta, at_beta);
+      return std::vector{forms.at_rest.normal, forms.at_rest.tangential,
+                         forms.by_ww.normal,   forms.by_ww.tangential,
+                         forms.by_wq.normal,   forms.by_wq.tangential};
+    };
+    const std::vector<Interval> all = forces(theta, beta);
+    for (int k = 0; k < kPlaces; ++k) {
+      const std::vector<double> here =
+          forces(in(random, theta.lower, theta.upper),
+                 in(random, beta.lower, beta.upper));
+      for (std::size_t f = 0; f < here.size(); ++f) {
+        EXPECT_GE(here[f], all[f].lower - kRounding);
+        EXPECT_LE(here[f], all[f].upper + kRounding);
+      }
+    }
   }
 }
 

@@ -15,6 +15,7 @@
 #include "math/angle.hpp"
 #include "math/interval.hpp"
 #include "model/energy.hpp"
+#include "model/inertia.hpp"
 #include "model/start_under_limits.hpp"
 
 namespace brachisto {
@@ -172,6 +173,10 @@ class HighestEnergies {
   [[nodiscard]] bool lead_to_B() {
     constexpr int kMostTurns = 60;
     highest_.assign(at(kSteps), std::vector<Energy>(kSlopes, {floor(), true}));
+    for (int j = 0; j < kSlopes; ++j) {
+      Energy& here = highest_.front()[at(j)];
+      here.height = std::max(here.height, energy_of_push(slopes(j)).upper);
+    }
     lowest_start_ = lowest_start();
     int unchanged = 0;
     for (int step = 0; unchanged < kSteps; ++step) {
@@ -211,10 +216,28 @@ class HighestEnergies {
     return {from, from + kTurn / kSteps};
   }
 
-  /// The least height of a centre at its start above A, r cos β₀: of the slopes
-  /// on which it begins to roll and keeps the limits.
+  /// E at the start.
+  [[nodiscard]] Interval energy_of_push(const Interval& beta) const {
+    const double v = scene_.world.start_speed;
+    if (v == 0.0) return 0.0;
+    const Interval delta = Interval(scene_.body.theta_m) - beta;
+    return inertia_factor(scene_.body, sin(delta)) *
+           (v * v / (2.0 * scene_.gravity));
+  }
+  /// The least height of a centre at its start above A and of its E together,
+  /// r cos β₀ + E₀: of the slopes on which it begins to roll and keeps the
+  /// limits; of all where it is pushed, for there the bend counts.
   [[nodiscard]] double lowest_start() const {
     const double r = contact_radius(scene_);
+    if (scene_.world.start_speed > 0.0) {
+      double least = kNone;
+      for (int j = 0; j < kSlopes; ++j) {
+        const Interval beta = slopes(j);
+        least =
+            std::min(least, r * cos(beta).lower + energy_of_push(beta).lower);
+      }
+      return least;
+    }
     if (r == 0.0) return 0.0;
     if (const auto beta = known_start_slope(scene_, limits_)) {
       return r * std::cos(*beta);
@@ -372,7 +395,7 @@ class HighestEnergies {
 }  // namespace
 
 bool comes_down(const Scene& scene, const std::vector<PathInequality>& limits) {
-  if (!scene.body.off_centred() || !scene.world.ordinary()) return true;
+  if (!scene.body.off_centred() || scene.world.changes_rates()) return true;
   HighestEnergies energies(scene, limits);
   return !energies.can_say() || energies.lead_to_B();
 }

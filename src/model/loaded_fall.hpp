@@ -25,8 +25,9 @@ namespace brachisto {
 ///
 /// The energy that B asks for is known at each θ and β. Functions are enclosed
 /// over the places that a step may come to. Below a fiftieth of H energy counts
-/// as attained everywhere. Nothing is said of bodies whose mass is on their
-/// axis, of other worlds, and where curvature to one side has no bound.
+/// as attained everywhere, and what a push gives at the start as attained
+/// there. Nothing is said of bodies whose mass is on their axis, of fields, air
+/// and losses, and where curvature to one side has no bound.
 /// \throws Stopped  see check_stop()
 [[nodiscard]] bool comes_down(const Scene& scene,
                               const std::vector<PathInequality>& limits);

@@ -236,12 +236,16 @@ class WithoutArcs {
   }
 
   /// Draws bounds in until limits are kept between the points, by the solution
-  /// and by the motion that its control makes. The track is to end where the
+  /// and by the motion that its control makes: more where that did not do, for
+  /// between the points of an element in which the control jumps a limit may
+  /// hardly follow what it is drawn in by. The track is to end where the
   /// path does, whose slope there is less accurate than that of costates.
   [[nodiscard]] bool keep_between() {
     constexpr int kMostPasses = 12;
     constexpr double kExcess = 1e-9, kMore = 1.2, kMoreOfMotion = 2.0;
+    constexpr double kMoreEachTime = 2.0;
     ends_as_it_does_ = true;
+    std::vector<double> more(margins_.size(), kMore);  // by element
     for (int i = 0; i < kMostPasses; ++i) {
       const Mesh mesh = curve_.problem().mesh();
       if (!close_contact(mesh)) return false;
@@ -252,7 +256,8 @@ class WithoutArcs {
         if (!std::isfinite(excess.value)) return false;
         if (excess.value <= kExcess) continue;
         kept = false;
-        margins_[at(e)][at(excess.limit)] += kMore * excess.value;
+        margins_[at(e)][at(excess.limit)] += more[at(e)] * excess.value;
+        more[at(e)] *= kMoreEachTime;
       }
       if (!kept) continue;
       const double of_motion = reintegrate(curve_).excess;

@@ -18,6 +18,7 @@
 
 #include "math/interval.hpp"
 #include "model/energy.hpp"
+#include "model/inertia.hpp"
 #include "model/start_under_limits.hpp"
 
 namespace brachisto {
@@ -67,10 +68,10 @@ struct Roller {
     beta += bend * length;
   }
   /// E less that of a body that touches B here.
-  [[nodiscard]] double over_B(double beta_0) const {
+  [[nodiscard]] double over_B(double beta_0, double E_0) const {
     const double r = scene.body.radius;
     const double drop = scene.H + r * (std::cos(beta_0) - std::cos(beta));
-    return E - energy_height(scene.body, drop, theta);
+    return E - E_0 - energy_height(scene.body, drop, theta);
   }
 };
 
@@ -85,8 +86,13 @@ double deepest(const Scene& scene) {
   const auto start = known_start_slope(scene, limits);
   for (int i = 0; i < kMotions; ++i) {
     const double beta_0 = start ? *start : in(random, -1.5, 1.5);
-    Roller body{scene, limits, scene.body.theta_m, beta_0};
-    if (!(energy_slope(scene.body, body.theta, beta_0) > 0.0)) continue;
+    const double v_0 = scene.world.start_speed;
+    const double A = inertia_factor(scene.body, scene.body.theta_m, beta_0);
+    const double E_0 = A * v_0 * v_0 / (2.0 * scene.gravity);
+    Roller body{scene, limits, scene.body.theta_m, beta_0, E_0};
+    if (v_0 == 0.0 && !(energy_slope(scene.body, body.theta, beta_0) > 0.0)) {
+      continue;
+    }
     double wanted = beta_0;
     for (int step = 0; step < kSteps; ++step) {
       if (step % kHeldFor == 0) wanted = in(random, -0.5, std::numbers::pi);
@@ -95,7 +101,7 @@ double deepest(const Scene& scene) {
       const double to = (wanted - body.beta) / (scene.body.radius * kTurn);
       body.roll(std::clamp(to, bends.least, bends.most), kTurn);
       if (body.E < 0.0 || std::abs(body.beta) > std::numbers::pi) break;
-      deepest = std::max(deepest, body.over_B(beta_0));
+      deepest = std::max(deepest, body.over_B(beta_0, E_0));
     }
   }
   return deepest;
@@ -179,6 +185,30 @@ TEST(LoadedFall, RestsOnForcesThatAreEnclosed) {
         EXPECT_LE(here[f], all[f].upper + kRounding);
       }
     }
+  }
+}
+
+TEST(LoadedFall, NoneComesDownThatWasPushedWhereThatIsDenied) {
+  const Body heavy = Body::cylinder(0.0368, 0.636, 1.117, 0.202);
+  Scene slow = of(1.0, heavy, pressing(1.549, 2.9), Contact::Optimal);
+  slow.limits.curvature.valley = 0.715;
+  Scene small = of(1.0, Body::cylinder(0.0337, 0.333, -0.137, 0.72), {});
+  small.limits.friction = 0.535;
+  small.limits.curvature.valley = 2.757;
+  for (Scene scene : {slow, small}) {
+    for (const double v_0 : {0.5, 1.1}) {
+      scene.H = 1.0;
+      scene.world.start_speed = v_0;
+      EXPECT_FALSE(falls(scene));
+      const double deep = deepest(scene);
+      EXPECT_LT(deep, 0.0);
+      scene.H += deep - 0.02;
+      EXPECT_TRUE(falls(scene));
+      EXPECT_GT(deepest(scene), 0.0);
+    }
+    scene.H = 1.0;
+    scene.world.start_speed = 5.0;  // enough to go on at once
+    EXPECT_TRUE(falls(scene));
   }
 }
 

@@ -95,7 +95,8 @@ TEST_P(WithoutArcsBeside, PathsOnArcsErrByNoMoreThanTheyEstimate) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Problems, WithoutArcsBeside,
-                         ::testing::Values("friction_1.yaml", "coaster.yaml",
+                         ::testing::Values("friction_0.3.yaml",
+                                           "friction_1.yaml", "coaster.yaml",
                                            "table_in_the_way.yaml"));
 
 }  // namespace

@@ -122,7 +122,12 @@ class LimitedSolve {
     std::string message = tightened ? only_on_coarse_mesh() : protocol_.message;
     // Each leaves some work to those that come after it.
     if (tightened) path = with_share(0.4, [&] { return from_mesh(); });
-    if (!settled() && tightening_->is_shut()) return path;
+    // The search of a set that is empty takes all its work; a proof takes none.
+    const bool none = protocol_.status == Status::NoFastestTrack;
+    if (!path && !mesh_ && !none && !protocol_.stop.met() &&
+        tightening_->is_shut()) {
+      return path;
+    }
     if (!settled() && (tightened || status != Status::Infeasible)) {
       path = with_share(0.4, [&] { return follow_from_loosest(); });
       message += followed();

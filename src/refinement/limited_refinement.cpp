@@ -60,6 +60,10 @@ class LimitedSolve {
     } else {
       if (protocol_.worked_enough()) {
         tries("until its share of work was used up");
+        // That of an empty set takes all of it; the proof takes none.
+        if (protocol_.status != Status::NoAdmissiblePath) {
+          tightening_->is_shut();
+        }
       }
       protocol_.most_work = kSearchLooser * kMostSearchWork;
       come_from_looser();
@@ -122,12 +126,7 @@ class LimitedSolve {
     std::string message = tightened ? only_on_coarse_mesh() : protocol_.message;
     // Each leaves some work to those that come after it.
     if (tightened) path = with_share(0.4, [&] { return from_mesh(); });
-    // The search of a set that is empty takes all its work; a proof takes none.
-    const bool none = protocol_.status == Status::NoFastestTrack;
-    if (!path && !mesh_ && !none && !protocol_.stop.met() &&
-        tightening_->is_shut()) {
-      return path;
-    }
+    if (!settled() && tightening_->is_shut()) return path;
     if (!settled() && (tightened || status != Status::Infeasible)) {
       path = with_share(0.4, [&] { return follow_from_loosest(); });
       message += followed();

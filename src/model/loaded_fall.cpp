@@ -219,9 +219,7 @@ class HighestEnergies {
   /// E at the start.
   [[nodiscard]] Interval energy_of_push(const Interval& beta) const {
     const double v = scene_.world.start_speed;
-    if (v == 0.0) return 0.0;
-    const Interval delta = Interval(scene_.body.theta_m) - beta;
-    return inertia_factor(scene_.body, sin(delta)) *
+    return inertia_factor(scene_.body, Interval(scene_.body.theta_m), beta) *
            (v * v / (2.0 * scene_.gravity));
   }
   /// The least height of a centre at its start above A and of its E together,

@@ -50,18 +50,18 @@ double estimate(const MeshAnswer& answer, const ExtremalCurve& curve,
   const Tangency& tangency = answer.solution.tangency;
   const EndErrors ends = errors_of_end(
       curve.scene(), tangency, {.p_x = curve.p_x(), .p_z = curve.p_z()});
-  // Two parts of the error, that of the end point and that between fixed ends,
-  // may have opposite signs; the estimate must not profit from it.
+  // Two parts of the error, that of the ends and that between fixed ends, may
+  // have opposite signs; the estimate must not profit from it. What is known of
+  // the other's own error is between fixed ends.
   const double difference = other.transit_time() - T;
   const double of_ends = ends.per_radian * (other_phi - tangency.phi);
-  double apart = std::abs(of_ends) + std::abs(difference - of_ends);
-  if (slope_at_A_is_open(curve.scene())) {
-    const double of_start =
-        time_per_start_slope(curve) *
-        (start_angle(other.scene()) - start_angle(curve.scene()));
-    apart = std::abs(of_ends) + std::abs(of_start) +
-            std::abs(difference - of_ends - of_start);
-  }
+  const double of_start =
+      slope_at_A_is_open(curve.scene())
+          ? time_per_start_slope(curve) *
+                (start_angle(other.scene()) - start_angle(curve.scene()))
+          : 0.0;
+  const double apart = weight * (std::abs(of_ends) + std::abs(of_start)) +
+                       std::abs(difference - of_ends - of_start);
   return (std::max(weight * std::abs(difference), apart) + ends.open +
           ends.rounding) /
              T +
@@ -127,13 +127,14 @@ double departure(RollingTime& problem, const MeshSolution& solution,
 /// Let ΔT and Δφ be the changes of T and φ when the scene is solved on the same
 /// elements with degree p + 1. The estimate is
 ///
-///     max(2 |ΔT|, |T_φ Δφ| + |ΔT − T_φ Δφ|) + Σ_e |U ∫_e 𝓗 dσ|,
+///     max(2 |ΔT|, 2 |T_φ Δφ| + |ΔT − T_φ Δφ|) + Σ_e |U ∫_e 𝓗 dσ|,
 ///
 /// T_φ = −r (p_x cos φ + p_z sin φ) being dT/dφ, and the sum taken on the finer
 /// solution: ΔT is the error but for that of the finer solution, which the sum
-/// bounds from above. The factor 2 keeps it honest where the two degrees err to
-/// the same side, the split where the errors of the end point and between fixed
-/// ends cancel by accident. What an open contact and rounding add comes on top.
+/// bounds from above between fixed ends. The factors 2 keep it honest where the
+/// two degrees err to the same side, in φ too, the split where the errors of
+/// the end point and between fixed ends cancel by accident. What an open
+/// contact and rounding add comes on top.
 ///
 /// If the answer of a coarser mesh is given, it takes the place of degree p +
 /// 1, and its own estimate that of the sum: the triangle inequality, for the
@@ -349,15 +350,19 @@ class Elements {
         !out.answer || !out.answer->estimated_error ||
         (answer.estimated_error &&
          *answer.estimated_error < *out.answer->estimated_error);
-    // Once finer meshes only get worse, rounding has the last word.
-    if (!improved) return false;
-    out.answer.emplace(std::move(answer));
+    if (improved) out.answer.emplace(std::move(answer));
+    // The lower of two degrees may err less by accident; once more elements
+    // only get worse as well, rounding has the last word.
+    if (!improved && std::exchange(got_worse_, true)) return false;
     const MeshAnswer& best = *out.answer;
     if (best.estimated_error && *best.estimated_error <= tolerance_) {
       return false;
     }
     if (left_ == 0 || fixed_) return false;
-    mesh_ = surface_.fit(next_mesh(best, tolerance_, degree_is_fixed_), fixed_);
+    mesh_ =
+        surface_.fit(improved ? next_mesh(best, tolerance_, degree_is_fixed_)
+                              : stretch(mesh_, 2 * mesh_.num_elements()),
+                     fixed_);
     if (best.finer) {
       start_from(*best.finer, best.finer_phi);
     } else {
@@ -381,7 +386,8 @@ class Elements {
   bool fixed_;          ///< so many elements are asked for
   bool degree_is_fixed_;
   double tolerance_;
-  int left_ = kMaxMeshes;  ///< so many meshes may be tried yet
+  int left_ = kMaxMeshes;   ///< so many meshes may be tried yet
+  bool got_worse_ = false;  ///< some mesh than the one before it
   Mesh mesh_;
   std::optional<Mesh> large_;  ///< to come after mesh_
   ExtremalCurve from_;

@@ -183,11 +183,15 @@ std::optional<LimitedEnds> Tightening::next_ends(const Inequalities& limits) {
 }
 
 bool Tightening::is_shut() {
-  const bool open = way_is_open(scene_, limits_);
-  if (open && comes_down(scene_, limits_)) return false;
-  protocol_.fail(Status::NoAdmissiblePath,
-                 std::string(open ? kTooFast : kNoWay));
-  return true;
+  if (!shut_) {
+    const bool open = way_is_open(scene_, limits_);
+    shut_ = !open || !comes_down(scene_, limits_);
+    if (*shut_) {
+      protocol_.fail(Status::NoAdmissiblePath,
+                     std::string(open ? kTooFast : kNoWay));
+    }
+  }
+  return *shut_;
 }
 
 bool Tightening::none_at_rest() {

@@ -43,7 +43,8 @@ class Tightening {
              const IpoptOptions& ipopt, PassProtocol& protocol);
 
   /// Whether what is in the way leaves no way at all, or loads let the body not
-  /// come down; then the protocol says so.
+  /// come down; then the protocol says so. Looked into once, however often it
+  /// is asked.
   bool is_shut();
 
   /// To the limits of the scene, with the slopes of the free extremal if these
@@ -188,7 +189,8 @@ class Tightening {
   IpoptOptions ipopt_;
   int budget_;  ///< iterations that are left
   PassProtocol& protocol_;
-  bool end_held_ = false;  ///< see bracket_contact()
+  bool end_held_ = false;     ///< see bracket_contact()
+  std::optional<bool> shut_;  ///< see is_shut()
   std::optional<LimitedCurve> last_;
   std::optional<LimitedCurve> tight_;
   std::vector<double> give_;  ///< by constraint

@@ -111,19 +111,22 @@ void conclude_resolved(const PosedProblem& posed, LimitedRefinement found,
         posed.stop().met() || out.certificate.verified()) {
       return;
     }
-    FittedPath path = found.answer->path;
-    if (auto arcs = held_from_rest(path.curve, path.arcs)) {
-      path.arcs = *std::move(arcs);
-    } else if (under_resolved(out.certificate)) {
-      path.arcs = halved(std::move(path.arcs));
-    } else {
+    const FittedPath path = found.answer->path;
+    const auto resolved_by = [&](std::vector<Arc> arcs) {
+      FittedPath other = path;
+      other.arcs = std::move(arcs);
+      auto finer = refine_limited_beside(*posed.limited, wanted, other,
+                                         posed.mesh_options_after(out.effort));
+      if (finer && !finer->answer) record_work(*finer, out);
+      if (!finer || !finer->answer) return false;
+      found = *std::move(finer);
+      return true;
+    };
+    auto held = held_from_rest(path.curve, path.arcs);
+    if (!(held && resolved_by(*std::move(held))) &&
+        !(under_resolved(out.certificate) && resolved_by(halved(path.arcs)))) {
       return;
     }
-    auto finer = refine_limited_beside(*posed.limited, wanted, path,
-                                       posed.mesh_options_after(out.effort));
-    if (finer && !finer->answer) record_work(*finer, out);
-    if (!finer || !finer->answer) return;
-    found = *std::move(finer);
     conclude(posed, found, out);
   }
 }

@@ -38,8 +38,8 @@ double cost_by_degree(double p) {
 
 /// A fixed mesh. Ipopt keeps vectors of its own; meshes of many pieces it meets
 /// near the solution, for they climb from coarse ones. Times are half as much
-/// again as on that core alone: where others use the memory, or it is slower,
-/// they are twice as much, which machine_speed() does not see.
+/// again as on that core: on another machine large meshes took twice as much,
+/// which machine_speed() does not see.
 Cost of_fixed_mesh(double nodes, const Collocation& program, bool limited) {
   const Discretisation& mesh = program.discretisation;
   if (mesh.formulation == Formulation::ArcLength) {

@@ -267,6 +267,25 @@ TEST(AMeshOfItsOwnChoice, BeginsWhereTheCoarseOneIsTooCoarseToBeJudged) {
   }
 }
 
+TEST(AMeshOfItsOwnChoice, GetsMoreElementsWhereOneDegreeMoreErrsMore) {
+  Scene scene;
+  scene.body = Body::cylinder(0.44674801070213627, 0.4484141455238041,
+                              -2.7400420236298535, 0.024513956145787635);
+  scene.L = 1.5614933768348456;
+  scene.H = 1.0;
+  SolveOptions indirect;
+  static_cast<void>(indirect.use<Shooting>());
+  const Solution extremal = solve(scene, indirect);
+  ASSERT_TRUE(extremal.verified()) << extremal.message;
+
+  const Solution solution = solve(scene, {});
+
+  ASSERT_TRUE(solution.verified()) << solution.message;
+  const double tau = extremal.motion()->tau();
+  EXPECT_NEAR(solution.motion()->tau(), tau,
+              (*solution.estimated_error + *extremal.estimated_error) * tau);
+}
+
 TEST(ACoarseMesh, IsVerifiedIfItsEstimateIsHonest) {
   // One or two digits per turn. The largest threshold is below one, for what is
   // off by as much is no picture of a path.

@@ -14,6 +14,7 @@
 #include "brachisto/ocp/mesh.hpp"
 #include "model/contact.hpp"
 #include "model/start_angle.hpp"
+#include "model/world_hamiltonian.hpp"
 #include "refinement/mesh_sequence.hpp"
 #include "refinement/start_closure.hpp"
 #include "refinement/surface_passages.hpp"
@@ -238,7 +239,7 @@ Mesh next_mesh(const MeshAnswer& answer, double tolerance,
   Mesh refined = equidistribute(mesh, errors, kSafety * tolerance * T);
   if (refined.num_elements() <= mesh.num_elements()) {
     // The order is not reached yet, or the error is rounding.
-    refined = uniform_mesh(mesh.degree, mesh.num_elements() * 3 / 2 + 1);
+    refined = stretch(refined, mesh.num_elements() * 3 / 2 + 1);
   }
   return refined;
 }
@@ -259,6 +260,21 @@ Mesh fixed_mesh(const Discretisation& wanted) {
   const int degree = wanted.degree_of_fixed();
   return uniform_mesh(degree, wanted.elements ? *wanted.elements
                                               : (*wanted.nodes - 1) / degree);
+}
+
+/// Whether another slope makes 𝓗 far smaller somewhere: the fastest path turns
+/// on the spot there, and no mesh of a smooth one becomes accurate.
+bool turns_on_the_spot(const ExtremalCurve& curve) {
+  constexpr double kFar = 1e-3;
+  const Mesh& mesh = curve.mesh();
+  for (int e = 0; e <= mesh.num_elements(); ++e) {
+    const ExtremalPoint at = curve.at_node(e * mesh.degree);
+    if (gain_of_other_directions(curve.scene(), at.state(), at.p, at.beta) >
+        kFar) {
+      return true;
+    }
+  }
+  return false;
 }
 
 /// Whether the error of a large mesh can be judged by this answer of a coarser
@@ -359,6 +375,9 @@ class Elements {
       return false;
     }
     if (left_ == 0 || fixed_) return false;
+    // What coarse meshes show is not yet the path.
+    const bool known = kMaxMeshes - left_ >= kCoarseMeshes;
+    if (known && turns_on_the_spot(best.curve())) return false;
     mesh_ =
         surface_.fit(improved ? next_mesh(best, tolerance_, degree_is_fixed_)
                               : stretch(mesh_, 2 * mesh_.num_elements()),
@@ -372,7 +391,7 @@ class Elements {
   }
 
  private:
-  static constexpr int kMaxMeshes = 12;
+  static constexpr int kMaxMeshes = 12, kCoarseMeshes = 3;
   // A mesh of so many elements that cannot be solved on is not too coarse.
   static constexpr int kLargestDoubled = 2000;
 

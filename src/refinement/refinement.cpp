@@ -8,13 +8,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 #include "brachisto/ocp/mesh.hpp"
 #include "model/contact.hpp"
 #include "model/start_angle.hpp"
-#include "model/world_hamiltonian.hpp"
+#include "refinement/mesh_choice.hpp"
 #include "refinement/mesh_sequence.hpp"
 #include "refinement/start_closure.hpp"
 #include "refinement/surface_passages.hpp"
@@ -34,12 +33,6 @@ double rounding_error(const Mesh& mesh) {
   constexpr double kOfSum = 2e-15;
   constexpr double kHalfAnUlp = 0.5 * std::numeric_limits<double>::epsilon();
   return kOfSum + kHalfAnUlp * mesh.num_elements();
-}
-
-double sum_of_absolutes(const std::vector<double>& values) {
-  return std::accumulate(
-      values.begin(), values.end(), 0.0,
-      [](double sum, double value) { return sum + std::abs(value); });
 }
 
 /// What a better or an independent solution says of the error of `answer`,
@@ -80,7 +73,7 @@ void estimate_by_degree(MeshAnswer& answer, const MeshOptions& options) {
     answer.finer.emplace(finer, point);
     answer.finer_phi = finer_phi;
     constexpr double kSameSide = 2.0;
-    const double of_finer = sum_of_absolutes(element_errors(*answer.finer));
+    const double of_finer = sum_of_errors(*answer.finer);
     answer.estimated_error =
         estimate(answer, coarse, *answer.finer, finer_phi,
                  of_finer / coarse.transit_time(), kSameSide);
@@ -201,80 +194,6 @@ MeshAnswer answer_on_mesh(const Scene& scene, const Mesh& mesh,
                                       coarser->estimated_error.value(), 1.0);
   }
   return answer;
-}
-
-/// Degree to start with for a wanted relative error.
-int starting_degree(double tolerance) {
-  // One degree more for every two digits: elements stay about a tenth of a
-  // turn of the body long.
-  const double digits = -std::log10(tolerance);
-  return std::clamp(static_cast<int>(std::lround(0.5 * digits + 0.5)), 2, 7);
-}
-
-/// The next mesh to try after `answer` missed `tolerance`: the next degree on
-/// the same elements where that will do, otherwise elements of the same degree
-/// that share the error evenly.
-Mesh next_mesh(const MeshAnswer& answer, double tolerance,
-               bool degree_is_fixed) {
-  const Mesh& mesh = answer.problem.mesh();
-  Mesh next = mesh;
-  next.degree += 1;
-  if (!answer.estimated_error) {
-    // Nothing is known but that the mesh is too coarse.
-    return uniform_mesh(mesh.degree, 2 * mesh.num_elements());
-  }
-  const double T = answer.finer->transit_time();
-  if (!degree_is_fixed && next.degree <= kMaxDegree) {
-    // The finer solution's own error, judged as the coarse one's was.
-    const double of_finer = sum_of_absolutes(element_errors(*answer.finer));
-    if (3.0 * of_finer / T <= tolerance) return next;
-  }
-  // Errors between fixed ends by element, scaled to the estimate, which knows
-  // the contact too.
-  std::vector<double> errors = element_errors(answer.curve());
-  const double sum = sum_of_absolutes(errors);
-  const double scale = sum > 0.0 ? *answer.estimated_error * T / sum : 1.0;
-  for (double& error : errors) error *= scale;
-  constexpr double kSafety = 0.3;
-  Mesh refined = equidistribute(mesh, errors, kSafety * tolerance * T);
-  if (refined.num_elements() <= mesh.num_elements()) {
-    // The order is not reached yet, or the error is rounding.
-    refined = stretch(refined, mesh.num_elements() * 3 / 2 + 1);
-  }
-  return refined;
-}
-
-/// The mesh on which `curve` promises the wanted error, at the degree to start
-/// with.
-Mesh first_mesh(const Discretisation& wanted, double tolerance,
-                const ExtremalCurve& curve) {
-  constexpr double kAim = 0.1;
-  constexpr double kSize = 1.0;
-  const double T = curve.transit_time();
-  return equidistribute(
-      curve.mesh(), element_errors(curve), kAim * tolerance * T,
-      wanted.degree.value_or(starting_degree(tolerance)), kSize * T);
-}
-
-Mesh fixed_mesh(const Discretisation& wanted) {
-  const int degree = wanted.degree_of_fixed();
-  return uniform_mesh(degree, wanted.elements ? *wanted.elements
-                                              : (*wanted.nodes - 1) / degree);
-}
-
-/// Whether another slope makes 𝓗 far smaller somewhere: the fastest path turns
-/// on the spot there, and no mesh of a smooth one becomes accurate.
-bool turns_on_the_spot(const ExtremalCurve& curve) {
-  constexpr double kFar = 1e-3;
-  const Mesh& mesh = curve.mesh();
-  for (int e = 0; e <= mesh.num_elements(); ++e) {
-    const ExtremalPoint at = curve.at_node(e * mesh.degree);
-    if (gain_of_other_directions(curve.scene(), at.state(), at.p, at.beta) >
-        kFar) {
-      return true;
-    }
-  }
-  return false;
 }
 
 /// Whether the error of a large mesh can be judged by this answer of a coarser

@@ -54,14 +54,11 @@ bool under_resolved(const Certificate& certificate) {
 Certificate certify_answer(MeshAnswer& answer, const ExtremalCurve& curve,
                            const Discretisation& wanted) {
   const double estimated = answer.estimated_error.value_or(kUnmeasured);
-  // A mesh that missed the tolerance is judged by what it reached. Errors of
-  // either sign may cancel in T; along the path they do not.
-  double shares = 0.0;
-  for (const double share : element_errors(curve)) shares += std::abs(share);
+  // A mesh that missed the tolerance is judged by what it reached.
   const double error = std::max(
       none_wanted(wanted) ? estimated
                           : std::max(wanted.wanted_tolerance(), estimated),
-      shares / curve.transit_time());
+      sum_of_errors(curve) / curve.transit_time());
   Certificate certificate = certify(answer.problem, answer.solution.point,
                                     curve, answer.solution.tangency.phi, error);
   const Mesh& mesh = answer.problem.mesh();

@@ -278,4 +278,10 @@ std::vector<double> element_errors(const ExtremalCurve& curve) {
   return errors;
 }
 
+double sum_of_errors(const ExtremalCurve& curve) {
+  double sum = 0.0;
+  for (const double error : element_errors(curve)) sum += std::abs(error);
+  return sum;
+}
+
 }  // namespace brachisto

@@ -141,5 +141,8 @@ class ExtremalCurve {
 /// \return U (∫_e 𝓗 dσ − h_e Σ_j b_j 𝓗_j) of each element, with signs, in the
 ///         units of the curve
 [[nodiscard]] std::vector<double> element_errors(const ExtremalCurve& curve);
+/// Of their absolute values: errors of either sign may cancel in T; along the
+/// path they do not.
+[[nodiscard]] double sum_of_errors(const ExtremalCurve& curve);
 
 }  // namespace brachisto

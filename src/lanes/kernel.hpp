@@ -62,6 +62,7 @@ class Shooting {
       }
       out[lane].transit_time = shot.T[lane];
       out[lane].beta = shot.beta[lane];
+      out[lane].start_beta = shot.start_beta[lane];
     }
   }
   /// And how that answers to them.
@@ -76,6 +77,7 @@ class Shooting {
         }
         by.transit_time = shot.time_by[j][lane];
         by.beta = shot.beta_by[j][lane];
+        by.start_beta = shot.start_beta_by[j][lane];
       }
     }
   }
@@ -93,9 +95,9 @@ class Shooting {
     Unknowns residual, scale;
     std::array<Unknowns, kUnknowns> jacobian;  ///< rows
     State y, rates;
-    Number T, beta;
+    Number T, beta, start_beta;
     // Of a shot with derivatives: by the unknowns, and see Extremal.
-    Unknowns beta_by, time_by;
+    Unknowns beta_by, start_beta_by, time_by;
     Number least_jacobian, last_jacobian, by_length;
   };
 
@@ -150,7 +152,11 @@ class Shooting {
         if (i > beside.kUnseen * steps) jacobi.see(beside.share());
       }
     }
-    return arrived<Derivatives, Inner>(flow, path, by, jacobi);
+    Shot out = arrived<Derivatives, Inner>(flow, path, by, jacobi);
+    out.start_beta = start.beta;
+    out.start_beta_by = {start.beta_by[0], start.beta_by[1], start.beta_by[2],
+                         Number(0.0)};
+    return out;
   }
 
   template <class Inner>

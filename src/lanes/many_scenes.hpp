@@ -64,7 +64,8 @@ struct Extremal {
 struct Landing {
   /// The centre off its place above B by x and z, p_θ r, and p_w.
   std::array<double, Extremal::kUnknowns> residual{};
-  double transit_time = 0.0, beta = 0.0;
+  double transit_time = 0.0;
+  double beta = 0.0, start_beta = 0.0;  ///< slope angles at B and at A [rad]
 };
 /// How that changes with each of the unknowns.
 using Response = std::array<Landing, Extremal::kUnknowns>;

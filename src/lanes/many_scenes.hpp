@@ -5,8 +5,8 @@
 /// Many free scenes at once: indirect shooting with eight scenes side by side.
 ///
 /// Each scene is continued from its own cycloid, η = 0, to its η_m and then
-/// into its air, as one alone is, and looks at no other: its digits do not
-/// depend on which scenes stand beside it, nor on the processor.
+/// into its air or its push, as one alone is, and looks at no other: its digits
+/// do not depend on which scenes stand beside it, nor on the processor.
 
 #pragma once
 
@@ -71,8 +71,8 @@ struct Landing {
 using Response = std::array<Landing, Extremal::kUnknowns>;
 
 /// Whether such a scene is one of those that are solved side by side: an
-/// off-centred cylinder or ball in the uniform field, in air or not, from rest,
-/// or pushed without air, without losses, limits and a path of its own.
+/// off-centred cylinder or ball in the uniform field, in air or not, from rest
+/// or pushed, without losses, limits and a path of its own.
 [[nodiscard]] bool fits(const Scene& scene);
 
 /// Sets of instructions that there is code for.

@@ -602,6 +602,7 @@ std::vector<Case> pushed_in_lanes() {
       {"PushBetweenEnds",
        with_push(for_lanes(0.5, 2.0, 0.3, Contact::Centre), 1.5)},
       {"PushOfASmallBody", push_of_a_small_body()},
+      {"PushInAir", in_air(with_push(for_lanes(0.4, 0.7, 0.5), 1.0), 0.2, 0.1)},
   };
 }
 

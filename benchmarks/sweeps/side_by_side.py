@@ -6,14 +6,17 @@
     side_by_side.py build/release/src/app/brachisto --count 10000 --seed 17
     side_by_side.py build/release/src/app/brachisto --count 1000 --seed 17 --air
     side_by_side.py build/release/src/app/brachisto --count 1000 --seed 17 --push --extremals
+    side_by_side.py build/release/src/app/brachisto --count 30 --seed 5 --push --rates
 
 Makes a sweep of random scenes, runs it with `solver.method: auto` and with `ipopt` and tells how
 many were left to their own solves, whether verdicts are equal, and by how much T differs. What is
 tested is the difference against the sum of both estimated errors: which of the two is wrong, and
 whether one is below its own error while the other makes up for it, is not seen. `--extremals`
 compares with extremals to 1e-13 instead, whose errors are far below those of lanes, and tests the
-estimate of the lanes alone. Exit code 1 if verdicts differ, a difference is above what it is tested
-against, a scene is missing from a sweep, or none was solved side by side and verified by both.
+estimate of the lanes alone. `--rates` compares with own solves to 1e-13, and first derivatives of τ
+too, whose differences it tells and does not test. Exit code 1 if verdicts differ, a difference is
+above what it is tested against, a scene is missing from a sweep, or none was solved side by side
+and verified by both.
 """
 
 import argparse
@@ -44,7 +47,9 @@ AIR = """      scene.air.linear: {from: 0, to: 0.5}
 PUSH = "      scene.start.speed: {from: 0.1, to: 3}\n"
 VERDICTS = ("verified", "feasible", "status")
 ALONE = ("solver.method=ipopt",)
-TO_LAST_DIGITS = ("solver.method=extremal", "discretisation.tolerance=1e-13")
+TO_LAST_DIGITS = ("discretisation.tolerance=1e-13",)
+BY_EXTREMALS = ("solver.method=extremal", *TO_LAST_DIGITS)
+RATES = ("solver.sensitivities=true",)
 
 
 def rows(program, problem, out, jobs, settings):
@@ -66,7 +71,9 @@ def main():
     parser.add_argument("--seed", type=int, default=17)
     parser.add_argument("--air", action="store_true", help="each scene in an air of its own")
     parser.add_argument("--push", action="store_true", help="each scene with a start speed of its own")
-    parser.add_argument("--extremals", action="store_true", help="compare with extremals to 1e-13")
+    how = parser.add_mutually_exclusive_group()
+    how.add_argument("--extremals", action="store_true", help="compare with extremals to 1e-13")
+    how.add_argument("--rates", action="store_true", help="compare first derivatives too")
     parser.add_argument("--jobs", type=int, default=1)
     asked = parser.parse_args()
     text = PROBLEM.format(seed=asked.seed, count=asked.count)
@@ -76,8 +83,9 @@ def main():
         problem.write_text(text + (AIR if asked.air else "") + (PUSH if asked.push else ""))
         beside, alone = (
             rows(asked.program, problem, str(folder / out), asked.jobs, settings)
-            for out, settings in (("beside", ("solver.method=auto",)),
-                                  ("alone", TO_LAST_DIGITS if asked.extremals else ALONE)))
+            for out, settings in (("beside", ("solver.method=auto", *(RATES if asked.rates else ()))),
+                                  ("alone", BY_EXTREMALS if asked.extremals else
+                                   (*ALONE, *RATES, *TO_LAST_DIGITS) if asked.rates else ALONE)))
 
     pairs = [(beside[scene], alone[scene]) for scene in sorted(beside.keys() & alone.keys())]
     served = [(a, b) for a, b in pairs if a["engine"] == "lanes"]
@@ -98,6 +106,11 @@ def main():
     estimate = "the estimated error" if asked.extremals else "the sum of both estimated errors"
     print(f"{len(differences)} compared: T differs relatively by at most {most:.1e}, at most "
           f"{share_of:.2f} of {estimate}")
+    if asked.rates:
+        rates = [(abs(a[column] - b[column]), column, a["scene"])
+                 for a, b in served if a["verified"] and b["verified"]
+                 for column in a if column.startswith("sensitivities.") and column.endswith(".tau")]
+        print("derivatives of tau differ by at most {:.1e}: {}, scene {}".format(*max(rates)))
     sys.exit(1 if missing or others or share_of > 1 else 0)
 
 

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 
 #include "lanes/lane.hpp"
 #include "lanes/second_order.hpp"
@@ -68,10 +69,12 @@ class Departures {
         at_rest_(at_rest) {}
 
   [[nodiscard]] Start with(const Costates& p) const {
-    constexpr int kSteps = 6;
+    constexpr int kMostSteps = 12;
+    constexpr double kLastStep = 1e-9;  // its square is below rounding
     Start out = left(p, at_rest_);
     if (!any(speed_ > Number(0.0))) return out;
-    for (int i = 0; i <= kSteps; ++i) {
+    auto moving = Number(1.0) > Number(0.0);
+    for (int i = 0;; ++i) {
       typename Flow::template At<typename Flow::SecondOrder> at;
       Number least = out.beta;
       static_cast<void>(flow_.find(out.y, least, at));
@@ -92,12 +95,16 @@ class Departures {
         out.beta_by[j] =
             (by_state[kPX + j] + by_state[kPW] * out.p_w_by[j]) / rest;
       }
-      if (i == kSteps) break;
-      const Number beta = out.beta + (least - out.beta) / rest;
-      const Start next = left(p, beta);
+      if (i == kMostSteps || !any(moving)) break;
+      const Number step = (least - out.beta) / rest;
+      const Start next =
+          left(p, where(moving, Number(out.beta + step), out.beta));
       out.beta = next.beta;
       out.y = next.y;
+      moving = moving & (abs(step) > Number(kLastStep));
     }
+    const Number none(std::numeric_limits<double>::quiet_NaN());
+    out.beta = where(moving, none, out.beta);
     return out;
   }
 

@@ -62,6 +62,7 @@ class Shooting {
       }
       out[lane].transit_time = shot.T[lane];
       out[lane].beta = shot.beta[lane];
+      out[lane].start_beta = shot.start_beta[lane];
     }
   }
   /// And how that answers to them.
@@ -76,6 +77,7 @@ class Shooting {
         }
         by.transit_time = shot.time_by[j][lane];
         by.beta = shot.beta_by[j][lane];
+        by.start_beta = shot.start_beta_by[j][lane];
       }
     }
   }
@@ -93,9 +95,9 @@ class Shooting {
     Unknowns residual, scale;
     std::array<Unknowns, kUnknowns> jacobian;  ///< rows
     State y, rates;
-    Number T, beta;
+    Number T, beta, start_beta;
     // Of a shot with derivatives: by the unknowns, and see Extremal.
-    Unknowns beta_by, time_by;
+    Unknowns beta_by, start_beta_by, time_by;
     Number least_jacobian, last_jacobian, by_length;
   };
 
@@ -141,7 +143,7 @@ class Shooting {
     Path path({Inner{flow, start.beta}, by[3], &controls},
               start.template stack<Inner>(leaving));
     on_step(0, flow, path.now(), path.rates().inner.control);
-    Jacobi<Number> jacobi{Number(Neighbours<Inner>::kSign)};
+    Jacobi<Number> jacobi{Neighbours<Inner>::sign_at_first(path.slope())};
     for (int i = 1; i <= steps; ++i) {
       path.step_unchecked(1.0 / steps);
       on_step(i, flow, path.now(), path.rates().inner.control);
@@ -150,7 +152,11 @@ class Shooting {
         if (i > beside.kUnseen * steps) jacobi.see(beside.share());
       }
     }
-    return arrived<Derivatives, Inner>(flow, path, by, jacobi);
+    Shot out = arrived<Derivatives, Inner>(flow, path, by, jacobi);
+    out.start_beta = start.beta;
+    out.start_beta_by = {start.beta_by[0], start.beta_by[1], start.beta_by[2],
+                         Number(0.0)};
+    return out;
   }
 
   template <class Inner>
@@ -281,11 +287,15 @@ void Shooting<Set, Count, Where>::finish(Extremals& out) {
   constexpr double kClosed = 1e-10;
   constexpr int kMostSteps = 5;
   const int half = this->half(), steps = 2 * half;
-  // T to B itself, to the second order of what is missed: p = −∂T/∂(end).
-  const auto time_of = [](const Shot& shot, const Unknowns& by) {
-    return shot.T + by[0] * shot.residual[0] + by[1] * shot.residual[1];
-  };
   Shot whole{};
+  // T to B itself, to the second order of what is missed.
+  const auto time_of = [&](const Shot& shot, const Unknowns& step) {
+    Number T = shot.T;
+    for (std::size_t j = 0; j < kUnknowns; ++j) {
+      T = T + whole.time_by[j] * step[j];
+    }
+    return T;
+  };
   Number T_half(0.0);
   auto moving = good_;
   for (int i = 0; i < kMostSteps && any(moving); ++i) {
@@ -298,7 +308,7 @@ void Shooting<Set, Count, Where>::finish(Extremals& out) {
     }
     const auto solved = newton_step(whole.jacobian, whole.residual);
     const Number far = size(solved.step);
-    T_half = where(moving, time_of(whole, by_), T_half);
+    T_half = where(moving, time_of(whole, solved.step), T_half);
     for (std::size_t j = 0; j < kUnknowns; ++j) {
       by_[j] = where(moving, Number(by_[j] + solved.step[j]), by_[j]);
     }
@@ -364,15 +374,28 @@ void Shooting<Set, Count, Where>::finish(Extremals& out) {
               .root = at.rates.cost.value[lane]};
         }
       });
-  const Number T = time_of(last, by_);
+  const auto missed = [&](const Unknowns& residual) {
+    return newton_step(whole.jacobian, residual).step;
+  };
+  const Number T = time_of(last, missed(last.residual));
   // Every step rounds the states, which T feels through the costates; these
   // errors are independent.
   const Number touched = abs(by_[0] * L_) + abs(by_[1] * H_) + abs(T);
-  const Number error =
-      (abs(T - T_half) + touched * (kUlp * std::sqrt(1.0 + steps))) / T;
+  Number error = abs(T - T_half) + touched * (kUlp * std::sqrt(1.0 + steps));
+  if (pushed) {
+    // The costates round as well, and pushed the start goes with them: what is
+    // left of p_θ and p_w at B tells by how much.
+    const Number none(0.0);
+    for (const Unknowns& costate :
+         {Unknowns{none, none, last.residual[2], none},
+          Unknowns{none, none, none, last.residual[3]}}) {
+      error = error + abs(time_of(last, missed(costate)) - last.T);
+    }
+  }
+  error = error / T;
   Number mismatch(0.0);
-  for (const Number& missed : last.residual) {
-    mismatch = where(!(abs(missed) < mismatch), abs(missed), mismatch);
+  for (const Number& off : last.residual) {
+    mismatch = where(!(abs(off) < mismatch), abs(off), mismatch);
   }
   const Number one = where(good_, Number(1.0), Number(0.0));
   for (std::size_t lane = 0; lane < Count; ++lane) {

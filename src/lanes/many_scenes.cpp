@@ -154,8 +154,7 @@ std::optional<Scene> as_shot_for(const Scene& scene) {
 bool fits(const Scene& scene) {
   const World& world = scene.world;
   return scene.body.rolls() && !world.field_varies() && !world.losses.any() &&
-         !(world.air.any() && world.start_speed > 0.0) && !scene.limits.any() &&
-         scene.path == nullptr &&
+         !scene.limits.any() && scene.path == nullptr &&
          (scene.contact == Contact::Smooth || scene.contact == Contact::Centre);
 }
 

@@ -5,8 +5,8 @@
 /// Many free scenes at once: indirect shooting with eight scenes side by side.
 ///
 /// Each scene is continued from its own cycloid, η = 0, to its η_m and then
-/// into its air, as one alone is, and looks at no other: its digits do not
-/// depend on which scenes stand beside it, nor on the processor.
+/// into its air or its push, as one alone is, and looks at no other: its digits
+/// do not depend on which scenes stand beside it, nor on the processor.
 
 #pragma once
 
@@ -64,14 +64,15 @@ struct Extremal {
 struct Landing {
   /// The centre off its place above B by x and z, p_θ r, and p_w.
   std::array<double, Extremal::kUnknowns> residual{};
-  double transit_time = 0.0, beta = 0.0;
+  double transit_time = 0.0;
+  double beta = 0.0, start_beta = 0.0;  ///< slope angles at B and at A [rad]
 };
 /// How that changes with each of the unknowns.
 using Response = std::array<Landing, Extremal::kUnknowns>;
 
 /// Whether such a scene is one of those that are solved side by side: an
-/// off-centred cylinder or ball in the uniform field, in air or not, from rest,
-/// or pushed without air, without losses, limits and a path of its own.
+/// off-centred cylinder or ball in the uniform field, in air or not, from rest
+/// or pushed, without losses, limits and a path of its own.
 [[nodiscard]] bool fits(const Scene& scene);
 
 /// Sets of instructions that there is code for.

@@ -30,8 +30,12 @@ class FreeNeighbours {
 
   /// So much of the way has too little between neighbours to be seen.
   static constexpr double kUnseen = 0.0;
-  /// Of the determinant before a conjugate point; 0: as it begins.
-  static constexpr double kSign = 0.0;
+  /// The sign of the determinant before a conjugate point; 0: as it begins.
+  ///
+  /// \param slope  at the start
+  [[nodiscard]] static Number sign_at_first(const Stack&) {
+    return Number(0.0);
+  }
 
   /// \param slope    by how much a stack changes with u or with a share of it
   /// \param problem  FallingLanes
@@ -105,9 +109,13 @@ class BrakedNeighbours {
   // drag: at an eighth of the way, 1/64 of the path, from 1e-5 of the latter,
   // before from less than rounding leaves.
   static constexpr double kUnseen = 0.125;
-  // That of three steps against Legendre's ∂²𝓗/∂β² > 0: in thin air what begins
-  // may be truncation.
-  static constexpr double kSign = -1.0;
+  /// By the costates of the states themselves it is that of three steps against
+  /// Legendre's ∂²𝓗/∂β² > 0, negative. Here −w stands for w, and p_θ for p_w,
+  /// ∂p_w/∂p_θ = −θ'/w' by 𝓗 = 0. It is not asked how the determinant begins:
+  /// in thin air that may be truncation.
+  [[nodiscard]] static Number sign_at_first(const Stack& slope) {
+    return where(slope[kW] > Number(0.0), Number(-1.0), Number(1.0));
+  }
 
   BrakedNeighbours(const Stack& at, const Stack& slope, const auto& problem,
                    const Number& c, const Number& s)

@@ -24,7 +24,7 @@ namespace brachisto {
 ///     y_p = −R_y⁻¹ R_p,   dT/dp = T_p + T_y y_p.
 ///
 /// Steps change more of these than of T: of dτ/dp of random scenes, whose T
-/// errs by less than 1e-10, at most 3e-8 (docs/benchmarks.md, Sweeps).
+/// errs by less than 1e-10, at most 4e-9 (docs/benchmarks.md, Sweeps).
 class LaneRates final : public TimeRates {
  public:
   /// \param natural   the scene of the extremal, in natural units
@@ -43,24 +43,20 @@ class LaneRates final : public TimeRates {
   }
 
  private:
-  /// Of T, R and the slope at B.
+  /// Of T, the slopes at B and at A, and R.
   struct Rates {
-    double time = 0.0, beta = 0.0;
+    double time = 0.0, beta = 0.0, start_beta = 0.0;
     Eigen::VectorXd open;
   };
-  /// By a number of the scene, all unknowns held.
-  struct Direct {
-    Rates rates;
-    double start_angle = 0.0;
-  };
 
-  /// Of the slope at B, the unknowns moving along.
-  [[nodiscard]] double slope_rate(const Rates& direct) const;
+  /// Of one of the slopes, the unknowns moving along.
+  [[nodiscard]] double slope_rate(double Rates::*slope, Rates direct) const;
 
-  Scene scene_;
+  Scene scene_;  ///< its start is built from the slope of the extremal
   std::shared_ptr<const lanes::Extremal> extremal_;
   std::vector<Rates> unknowns_;
-  std::array<std::optional<Direct>, kSceneCoordinates.size()> direct_;
+  /// By a number of the scene, all unknowns held.
+  std::array<std::optional<Rates>, kSceneCoordinates.size()> direct_;
 };
 
 }  // namespace brachisto

@@ -18,7 +18,7 @@ namespace {
 
 /// For less of T own solves have first derivatives with more digits than lanes:
 /// see LaneRates.
-constexpr double kLeastOfRates = 1e-10;
+constexpr double kLeastOfRates = 1e-11;
 
 bool fits(const SceneToSolve& posed) {
   const auto* program = posed.options.of<Collocation>();
@@ -27,8 +27,7 @@ bool fits(const SceneToSolve& posed) {
          program->certify == Certify::None &&
          program->sensitivities != SensitivityOrder::Second &&
          (program->sensitivities == SensitivityOrder::None ||
-          (program->discretisation.wanted_tolerance() >= kLeastOfRates &&
-           posed.scene.world.start_speed == 0.0)) &&
+          program->discretisation.wanted_tolerance() >= kLeastOfRates) &&
          program->discretisation.formulation == Formulation::RollingTime &&
          !program->discretisation.fixed() && !program->discretisation.degree &&
          lanes::fits(posed.scene) && validate(posed.scene).empty() &&

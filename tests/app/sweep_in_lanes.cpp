@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <csignal>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -70,12 +71,15 @@ TEST_P(SweepInLanesOf, HasTheAnswersOfTheScenesOwnSolves) {
   }
 }
 
+std::string world_of(const ::testing::TestParamInfo<const char*>& one) {
+  constexpr std::array kNames{"Free", "InAir", "Pushed"};
+  return kNames.at(one.index);
+}
 INSTANTIATE_TEST_SUITE_P(Worlds, SweepInLanesOf,
                          ::testing::Values("scene.air.linear=0",
-                                           "scene.air.linear=0.2"),
-                         [](const auto& one) {
-                           return one.index == 0 ? "Free" : "InAir";
-                         });
+                                           "scene.air.linear=0.2",
+                                           "scene.start.speed=1"),
+                         world_of);
 
 /// So accurate that some scenes are left to their own solves.
 TEST(SweepInLanes, IsTheSameWhoeverSolvesIt) {

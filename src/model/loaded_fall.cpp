@@ -30,9 +30,9 @@ constexpr double kNone = std::numeric_limits<double>::infinity();
 /// κ ≤ constant + by_energy/E, or the same of −κ.
 struct CurvatureBound {
   double constant, by_energy;
-  /// The most that it lets κ be at E or more.
-  [[nodiscard]] double from(double E) const {
-    return constant + std::max(0.0, by_energy) / E;
+  /// The most that it lets κ be.
+  [[nodiscard]] double over(const Interval& E) const {
+    return constant + by_energy / (by_energy > 0.0 ? E.lower : E.upper);
   }
 };
 
@@ -192,6 +192,8 @@ class HighestEnergies {
  private:
   static constexpr int kSteps = 384, kSlopes = 768;
   static constexpr double kSlope = kTurn / kSlopes;
+  /// Energies are looked at from each to this share of it.
+  static constexpr double kSlower = 0.1;
 
   /// The highest at a slope and a turn, and whether it was raised since it was
   /// carried on.
@@ -199,9 +201,13 @@ class HighestEnergies {
     double height;
     bool raised;
   };
+  /// How far a slope turns within a step at most.
+  struct Way {
+    double up = 0.0, down = 0.0;
+  };
   /// What holds within a step from a slope on.
   struct Cell {
-    Interval beta;  ///< that it may come to
+    Interval E, beta;  ///< that it may come to
     std::vector<CurvatureBound> up, down;
     double gain = 0.0;    ///< of E
     double most = kNone;  ///< E from which no curvature keeps all limits
@@ -258,17 +264,21 @@ class HighestEnergies {
   }
 
   [[nodiscard]] static double least(const std::vector<CurvatureBound>& bounds,
-                                    double E) {
+                                    const Interval& E) {
     double out = kNone;
     for (const CurvatureBound& bound : bounds) {
-      out = std::min(out, bound.from(E));
+      out = std::min(out, bound.over(E));
     }
     return out;
   }
-  /// The most E at which a curvature may reach a value: constant + by/E ≥ it.
+  /// The most E at the beginning of a step at which a curvature may reach a
+  /// value within it: constant + by/E ≥ it.
   [[nodiscard]] double most_energy(const CurvatureBound& bound,
                                    double curvature) const {
-    if (bound.constant >= curvature) return kNone;
+    const double more = bound.constant - curvature;
+    if (more >= 0.0) {
+      return more * here_.E.upper + bound.by_energy >= 0.0 ? kNone : 0.0;
+    }
     return bound.by_energy > 0.0
                ? within_step_ + bound.by_energy / (curvature - bound.constant)
                : 0.0;
@@ -296,31 +306,33 @@ class HighestEnergies {
     }
   }
 
-  /// What holds within a step from a slope on. While it is fast enough the body
-  /// does not leave what it cannot leave in a step.
-  void look_at(const Interval& theta, const Interval& slopes) {
+  /// What turns the body to one side within a step, and how far at most. It
+  /// holds up to `by` beyond its slopes: along the last stretch of a way that
+  /// ends there.
+  void look(std::vector<CurvatureBound>& out, double side, double& by,
+            const Interval& theta, const Interval& slopes) const {
     constexpr double kLeast = 0.005;
-    const double slowest = counted_ - within_step_;
-    Cell& out = here_;
-    up_by_ = std::max(kLeast, 0.5 * up_by_);
-    down_by_ = std::max(kLeast, 0.5 * down_by_);
-    for (;;) {
-      out.beta = {slopes.lower - down_by_, slopes.upper + up_by_};
-      if (std::max(up_by_, down_by_) > kTurn) {
-        out.up.clear();
-        out.down.clear();
-        break;
-      }
-      const TurningPoint<Interval> at{0.0, 0.0, theta, 0.0, out.beta, 0.0};
+    for (by = std::max(kLeast, 0.5 * by); by <= kTurn; by *= 2.0) {
+      const Interval beta(slopes.lower - (side < 0.0 ? by : 0.0),
+                          slopes.upper + (side > 0.0 ? by : 0.0));
+      const TurningPoint<Interval> at{0.0, 0.0, theta, 0.0, beta, 0.0};
       const ContactForce<Interval> at_rest = lossless_contact_force(scene_, at);
-      bound(out.up, up_, hump_, at, at_rest);
-      bound(out.down, down_, valley_, at, at_rest);
-      const bool above = turned_ * least(out.up, slowest) > up_by_;
-      const bool below = turned_ * least(out.down, slowest) > down_by_;
-      if (!above && !below) break;
-      if (above) up_by_ *= 2.0;
-      if (below) down_by_ *= 2.0;
+      bound(out, side > 0.0 ? up_ : down_, side > 0.0 ? hump_ : valley_, at,
+            at_rest);
+      if (turned_ * least(out, here_.E) <= by) return;
     }
+    out.clear();
+  }
+  /// What holds within a step from a slope on.
+  /// \param E    at its beginning
+  /// \param way  that of the slope before this one, with the like
+  void look_at(const Interval& theta, const Interval& slopes, const Interval& E,
+               Way& way) {
+    Cell& out = here_;
+    out.E = {E.lower - within_step_, E.upper + within_step_};
+    look(out.up, 1.0, way.up, theta, slopes);
+    look(out.down, -1.0, way.down, theta, slopes);
+    out.beta = {slopes.lower - way.down, slopes.upper + way.up};
     out.most = kNone;
     for (const CurvatureBound& a : out.up) {
       for (const CurvatureBound& b : out.down) {
@@ -337,7 +349,6 @@ class HighestEnergies {
   /// Carries the energies of a step on that were raised, unless B is among what
   /// they come to within it.
   bool comes_to_B_from(int i) {
-    constexpr double kRaise = 1e-4;
     const Body& body = scene_.body;
     const Interval theta = turns(i);
     const double at_B =
@@ -349,30 +360,39 @@ class HighestEnergies {
     for (int j = 0; j < kSlopes; ++j) {
       Energy& now = highest_[at(i)][at(j)];
       if (!std::exchange(now.raised, false)) continue;
-      look_at(theta, slopes(j));
-      const double over_B = contact_radius(scene_) * cos(here_.beta).upper;
-      if (now.height + within_step_ >= at_B - over_B) return true;
-      const double from = std::min(now.height, here_.most);
-      const auto reach = [&](int k, double most) {
-        const double E = std::min(from, most) + here_.gain;
-        if (E > next[at(k)].height) {
-          next[at(k)] = {E + kRaise * scene_.H, true};
-          raised_ = true;
-        }
-        return most + here_.gain > floor();
-      };
-      if (!(from + here_.gain > floor())) continue;
-      reach(j, kNone);
-      for (int k = j + 1; k < kSlopes; ++k) {
-        const double curvature = (k - j - 1) * kSlope / turned_;
-        if (!reach(k, most_energy(here_.up, curvature))) break;
-      }
-      for (int k = j; k-- > 0;) {
-        const double curvature = (j - k - 1) * kSlope / turned_;
-        if (!reach(k, most_energy(here_.down, curvature))) break;
+      std::size_t range = 0;
+      for (double fast = now.height; fast > counted_; fast *= kSlower) {
+        const Interval E(std::max(counted_, kSlower * fast), fast);
+        if (range == ways_.size()) ways_.emplace_back();
+        look_at(theta, slopes(j), E, ways_[range++]);
+        const double over_B = contact_radius(scene_) * cos(here_.beta).upper;
+        if (fast + within_step_ >= at_B - over_B) return true;
+        carry(next, j, std::min(fast, here_.most));
       }
     }
     return false;
+  }
+  /// To the slopes that the limits let a body turn to in a step.
+  void carry(std::vector<Energy>& next, int j, double from) {
+    constexpr double kRaise = 1e-4;
+    if (!(from + here_.gain > floor())) return;
+    const auto reach = [&](int k, double most) {
+      const double E = std::min(from, most) + here_.gain;
+      if (E > next[at(k)].height) {
+        next[at(k)] = {E + kRaise * scene_.H, true};
+        raised_ = true;
+      }
+      return most + here_.gain > floor();
+    };
+    reach(j, kNone);
+    for (int k = j + 1; k < kSlopes; ++k) {
+      const double curvature = (k - j - 1) * kSlope / turned_;
+      if (!reach(k, most_energy(here_.up, curvature))) break;
+    }
+    for (int k = j; k-- > 0;) {
+      const double curvature = (j - k - 1) * kSlope / turned_;
+      if (!reach(k, most_energy(here_.down, curvature))) break;
+    }
   }
 
   const Scene& scene_;
@@ -387,7 +407,7 @@ class HighestEnergies {
   std::vector<std::vector<Energy>> highest_;  ///< by step of the turn and slope
   bool raised_ = false;                       ///< any, in the last step
   Cell here_;
-  double up_by_ = 0.0, down_by_ = 0.0;  ///< how far here_ goes
+  std::vector<Way> ways_;  ///< by range of E
 };
 
 }  // namespace

@@ -138,9 +138,12 @@ PathLimits pressing(double most, double hump) {
 TEST(LoadedFall, NoMotionWithinTheLimitsComesDownWhereThatIsDenied) {
   const Body heavy = Body::cylinder(0.0955, 0.791, 0.92, 0.215);
   const Body larger = Body::cylinder(0.16, 0.7, 0.6, 0.21);
+  Scene rough = of(1.0, Body::cylinder(0.137, 0.645, -0.868, 0.31), {});
+  rough.limits.friction = 0.518;
+  rough.limits.curvature.valley = 1.338;
   for (Scene scene : {of(0.9, heavy, pressing(2.042, 1.99), Contact::Optimal),
                       of(0.85, heavy, pressing(3.0, 4.0)),
-                      of(1.1, larger, lifting(0.3, 1.5))}) {
+                      of(1.1, larger, lifting(0.3, 1.5)), rough}) {
     EXPECT_FALSE(falls(scene));
     const double deep = deepest(scene);
     EXPECT_LT(deep, 0.0);

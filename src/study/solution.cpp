@@ -3,6 +3,8 @@
 
 #include "brachisto/study/solution.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "search/continuation.hpp"
@@ -79,6 +81,15 @@ std::vector<std::string> Solution::not_verified_because() const {
 }
 
 std::string Solution::advice() const {
+  // Far more than what a mesh errs by.
+  constexpr double kAnotherSlope = 1e-3;
+  const Check* turn = certificate.find("weierstrass");
+  if (turn != nullptr && turn->value > kAnotherSlope) {
+    return fmt::format(
+        "the fastest path turns on the spot about {}, as no smooth one does; a "
+        "smaller eta_m{} may let it be smooth",
+        turn->where, scene.world.air.any() ? " or less air" : "");
+  }
   const Check* second_order = certificate.find("second_order");
   if (second_order == nullptr || !(second_order->value > 0.0)) {
     // Next to what no path keeps, multipliers grow and lose their digits.

@@ -314,6 +314,7 @@ TEST(AMeshOfItsOwnChoice, EndsWhereNoMeshOfASmoothPathCanBeAccurate) {
   EXPECT_FALSE(solution.verified());
   EXPECT_THAT(solution.message, HasSubstr("weierstrass"));
   EXPECT_LT(solution.program()->nodes, 3000);
+  EXPECT_THAT(solution.advice(), HasSubstr("a smaller eta_m or less air"));
 }
 
 TEST(ACoarseMesh, IsVerifiedIfItsEstimateIsHonest) {

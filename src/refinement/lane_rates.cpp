@@ -18,8 +18,8 @@ constexpr Eigen::Index kSize = lanes::Extremal::kUnknowns;
 
 /// Of difference_step(): where a small body arrives, a shot changes over a
 /// shorter length than formulas of the scene do. Of the error, a sixth power,
-/// 1/4096 is left, about what rounding makes by then.
-constexpr double kShareOfStep = 0.25;
+/// 4e-6 is left, less than rounding makes by then.
+constexpr double kShareOfStep = 0.125;
 
 }  // namespace
 

@@ -24,7 +24,7 @@ namespace brachisto {
 ///     y_p = −R_y⁻¹ R_p,   dT/dp = T_p + T_y y_p.
 ///
 /// Steps change more of these than of T: of dτ/dp of random scenes, whose T
-/// errs by less than 1e-10, at most 4e-9 (docs/benchmarks.md, Sweeps).
+/// errs by less than 1e-10, at most 2e-9 (docs/benchmarks.md, Sweeps).
 class LaneRates final : public TimeRates {
  public:
   /// \param natural   the scene of the extremal, in natural units

@@ -96,6 +96,19 @@ TEST(HardLimits, ElementsAreHalvedUntilTheMotionIsAsAccurateAsTheTime) {
   EXPECT_LE(solution.certificate.find("reintegration_error")->value, 1e-10);
 }
 
+/// And until the contacts are as closed as the certificate wants them.
+TEST(HardLimits, ElementsAreHalvedUntilTheContactsAreClosed) {
+  PathLimits limits;
+  limits.floor = 1.627;
+  limits.curvature.hump = 0.675;
+  limits.curvature.of = CurvatureLimit::Of::Centre;
+
+  const Solution solution =
+      confirmed(cylinder_scene(1.1774, 0.43, 53.84, 0.224, 4.892, limits));
+
+  EXPECT_LE(solution.certificate.find("contact_error")->value, 1e-9);
+}
+
 /// Where friction gives way to a free arc the valley's bound is reached too: an
 /// arc along it has 2e-6 of the path, and its equations are rounding.
 TEST(HardLimits, AnArcOfNothingIsLeftOut) {

@@ -24,9 +24,9 @@ COUNTS = re.compile(r"-(O|march|mtune|mfpmath|ffast-math|ffp-contract|f(no-)?mat
                     r"f(no-)?(unsafe|finite|associative|reciprocal)-)")
 
 
-# Rooms that read, write, draw or call others, where -O1 is as good.
-QUICK = {"app", "comparison", "design", "fit", "io", "plot", "process", "program_files", "python",
-         "report", "reproduction", "search", "study", "sweep"}
+# Rooms that read, write, draw or call others, a library among them, where -O1 is as good.
+QUICK = {"app", "comparison", "design", "fit", "io", "plot", "process", "program_files", "proof",
+         "python", "report", "reproduction", "search", "study", "sweep"}
 
 
 def sources_of(file):

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -71,9 +72,16 @@ TEST_P(ForecastOfACommand, IsWhatItTakes) {
   // limits the first is three there.
   const double factor = result.contains("limits") ? 6.0 : 4.0;
   const double seconds = size["seconds"];
+  // Others can only add to what it takes: where that is little, the least of
+  // some.
+  constexpr double kLittle = 0.2;
+  double taken = solved.cpu_seconds;
+  for (int i = 0; i < 4 && taken < kLittle; ++i) {
+    taken = std::min(taken, run(command("solve", GetParam())).cpu_seconds);
+  }
   // The forecast is of the solve; to load the command takes time too.
-  EXPECT_GT(seconds, (solved.cpu_seconds - seconds_to_load()) / factor);
-  EXPECT_LT(seconds, solved.cpu_seconds * factor);
+  EXPECT_GT(seconds, (taken - seconds_to_load()) / factor);
+  EXPECT_LT(seconds, taken * factor);
 }
 
 TEST(Forecast, ThatDoesNotFitEndsValidateAndSolveWith7) {

@@ -52,13 +52,14 @@ Mesh next_mesh(const MeshAnswer& answer, double tolerance,
   const double T = answer.finer->transit_time();
   if (!degree_is_fixed && next.degree <= kMaxDegree) {
     // The finer solution's own error, judged as the coarse one's was.
-    if (3.0 * sum_of_errors(*answer.finer) / T <= tolerance) return next;
+    if (3.0 * sum_of_errors(element_errors(*answer.finer)) / T <= tolerance)
+      return next;
   }
   // Errors between fixed ends by element, scaled to the estimate, which knows
   // the contact too.
   const ExtremalCurve curve = answer.curve();
   std::vector<double> errors = element_errors(curve);
-  const double sum = sum_of_errors(curve);
+  const double sum = sum_of_errors(errors);
   const double scale = sum > 0.0 ? *answer.estimated_error * T / sum : 1.0;
   for (double& error : errors) error *= scale;
   constexpr double kSafety = 0.3;
@@ -70,13 +71,12 @@ Mesh next_mesh(const MeshAnswer& answer, double tolerance,
   return refined;
 }
 
-bool turns_on_the_spot(const ExtremalCurve& curve) {
-  constexpr double kFar = 1e-3;
+bool another_slope_is_faster(const ExtremalCurve& curve) {
   const Mesh& mesh = curve.mesh();
   for (int e = 0; e <= mesh.num_elements(); ++e) {
     const ExtremalPoint at = curve.at_node(e * mesh.degree);
     if (gain_of_other_directions(curve.scene(), at.state(), at.p, at.beta) >
-        kFar) {
+        kAnotherSlope) {
       return true;
     }
   }

@@ -25,8 +25,12 @@ namespace brachisto {
 [[nodiscard]] Mesh next_mesh(const MeshAnswer& answer, double tolerance,
                              bool degree_is_fixed);
 
-/// Whether another slope makes 𝓗 far smaller somewhere: the fastest path turns
-/// on the spot there, and no mesh of a smooth one becomes accurate.
-[[nodiscard]] bool turns_on_the_spot(const ExtremalCurve& curve);
+/// What another slope takes off 𝓗, from which on it is not the mesh that errs.
+inline constexpr double kAnotherSlope = 1e-3;
+
+/// Whether some slope makes 𝓗 smaller by more than that at an end of an
+/// element. The collocation then alternates between two minima of 𝓗, and finer
+/// meshes do not become accurate.
+[[nodiscard]] bool another_slope_is_faster(const ExtremalCurve& curve);
 
 }  // namespace brachisto

@@ -73,7 +73,7 @@ void estimate_by_degree(MeshAnswer& answer, const MeshOptions& options) {
     answer.finer.emplace(finer, point);
     answer.finer_phi = finer_phi;
     constexpr double kSameSide = 2.0;
-    const double of_finer = sum_of_errors(*answer.finer);
+    const double of_finer = sum_of_errors(element_errors(*answer.finer));
     answer.estimated_error =
         estimate(answer, coarse, *answer.finer, finer_phi,
                  of_finer / coarse.transit_time(), kSameSide);
@@ -296,7 +296,7 @@ class Elements {
     if (left_ == 0 || fixed_) return false;
     // What coarse meshes show is not yet the path.
     const bool known = kMaxMeshes - left_ >= kCoarseMeshes;
-    if (known && turns_on_the_spot(best.curve())) return false;
+    if (known && another_slope_is_faster(best.curve())) return false;
     mesh_ =
         surface_.fit(improved ? next_mesh(best, tolerance_, degree_is_fixed_)
                               : stretch(mesh_, 2 * mesh_.num_elements()),

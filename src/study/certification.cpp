@@ -60,7 +60,7 @@ Certificate certify_answer(MeshAnswer& answer, const ExtremalCurve& curve,
   const double error = std::max(
       none_wanted(wanted) ? estimated
                           : std::max(wanted.wanted_tolerance(), estimated),
-      sum_of_errors(curve) / curve.transit_time());
+      sum_of_errors(element_errors(curve)) / curve.transit_time());
   Certificate certificate = certify(answer.problem, answer.solution.point,
                                     curve, answer.solution.tangency.phi, error);
   const Mesh& mesh = answer.problem.mesh();

@@ -7,6 +7,7 @@
 
 #include <cmath>
 
+#include "refinement/mesh_choice.hpp"
 #include "search/continuation.hpp"
 #include "study/answer_kinds.hpp"
 #include "study/blocking_limit.hpp"
@@ -81,13 +82,12 @@ std::vector<std::string> Solution::not_verified_because() const {
 }
 
 std::string Solution::advice() const {
-  // Far more than what a mesh errs by.
-  constexpr double kAnotherSlope = 1e-3;
   const Check* turn = certificate.find("weierstrass");
   if (turn != nullptr && turn->value > kAnotherSlope) {
     return fmt::format(
-        "the fastest path turns on the spot about {}, as no smooth one does; a "
-        "smaller eta_m{} may let it be smooth",
+        "another slope would be faster about {}: the fastest path may turn on "
+        "the spot there, which no smooth one does; a smaller eta_m{} may let "
+        "it be smooth",
         turn->where, scene.world.air.any() ? " or less air" : "");
   }
   const Check* second_order = certificate.find("second_order");

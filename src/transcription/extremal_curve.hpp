@@ -143,6 +143,6 @@ class ExtremalCurve {
 [[nodiscard]] std::vector<double> element_errors(const ExtremalCurve& curve);
 /// Of their absolute values: errors of either sign may cancel in T; along the
 /// path they do not.
-[[nodiscard]] double sum_of_errors(const ExtremalCurve& curve);
+[[nodiscard]] double sum_of_errors(std::span<const double> element_errors);
 
 }  // namespace brachisto

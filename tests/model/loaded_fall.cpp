@@ -147,8 +147,7 @@ TEST(LoadedFall, NoMotionWithinTheLimitsComesDownWhereThatIsDenied) {
     EXPECT_FALSE(falls(scene));
     const double deep = deepest(scene);
     EXPECT_LT(deep, 0.0);
-    // Where they do come it is not denied.
-    scene.H += deep - 0.02;
+    scene.H += deep - 0.02;  // where they do come
     EXPECT_TRUE(falls(scene));
     EXPECT_GT(deepest(scene), 0.0);
   }

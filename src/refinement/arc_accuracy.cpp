@@ -7,26 +7,68 @@
 #include <utility>
 
 #include "refinement/arc_elements.hpp"
+#include "refinement/mesh_choice.hpp"
 
 namespace brachisto {
 
-std::optional<FittedPath> on_fixed_mesh(
-    const FittedPath& path, int p, const std::vector<PathInequality>& limits,
-    const Discretisation& wanted, ArcSearch& search) {
-  const int elements =
-      wanted.elements ? *wanted.elements : (*wanted.nodes - 1) / p;
-  return search
-      .fit(path.curve, {limits, with_elements(path.arcs, elements), path.ends},
-           p)
-      .path;
+namespace {
+
+constexpr double kRounding = 1e-13;
+
+LimitedAnswer told(FittedPath path, double error, PassProtocol& protocol) {
+  protocol.record.estimated_error = error;
+  protocol.keep_record("arcs", path.curve.transit_time());
+  protocol.status = Status::Solved;
+  protocol.message = "solved under limits";
+  return {std::move(path), error};
 }
 
-std::optional<LimitedAnswer> refine_arcs(
-    std::optional<FittedPath> path, int p,
-    const std::vector<PathInequality>& limits, const Discretisation& wanted,
-    ArcSearch& search, PassProtocol& protocol) {
-  constexpr double kRounding = 1e-13;
+/// By how much the time along one path is off that along another, relative.
+double change(const FittedPath& path, const FittedPath& other) {
+  return std::abs(other.curve.transit_time() / path.curve.transit_time() - 1.0);
+}
+
+}  // namespace
+
+std::optional<LimitedAnswer> on_fixed_mesh(const FittedPath& path, int p,
+                                           const Discretisation& wanted,
+                                           ArcSearch& search,
+                                           PassProtocol& protocol) {
+  const int elements =
+      wanted.elements ? *wanted.elements : (*wanted.nodes - 1) / p;
+  const std::vector<PathInequality>& limits = path.curve.problem().limits();
+  constexpr int kTimesCoarser = 16;
+  const Mesh& coarse = path.curve.problem().mesh();
+  std::optional<LimitedAnswer> judge;
+  if (elements >= kTimesCoarser * coarse.num_elements()) {
+    Discretisation accurate;
+    accurate.tolerance = largest_error_of_a_judge(wanted.wanted_tolerance());
+    judge = refine_arcs(path, coarse.degree, accurate, search, protocol);
+    if (judge && *judge->estimated_error > *accurate.tolerance) judge.reset();
+  }
+  const FittedPath& from = judge ? judge->path : path;
+  std::optional<FittedPath> found =
+      search
+          .fit(from.curve,
+               {limits, with_elements(from.arcs, elements), from.ends}, p)
+          .path;
+  if (!found || !judge) {
+    return refine_arcs(std::move(found), p, wanted, search, protocol);
+  }
+  const double error = *judge->estimated_error + change(*found, judge->path) +
+                       found->mismatch.largest() + kRounding;
+  LimitedAnswer answer = told(*std::move(found), error, protocol);
+  answer.judged_by = judge->path.curve.problem().mesh().num_elements();
+  return answer;
+}
+
+std::optional<LimitedAnswer> refine_arcs(std::optional<FittedPath> path, int p,
+                                         const Discretisation& wanted,
+                                         ArcSearch& search,
+                                         PassProtocol& protocol) {
   constexpr int kMostMeshes = 8, kManyElements = 2000;
+  if (!path) return std::nullopt;
+  const std::vector<PathInequality> limits = path->curve.problem().limits();
   std::optional<LimitedAnswer> answer;
   for (int i = 0; path && i < kMostMeshes; ++i) {
     if (!wanted.fixed() && i + 1 < kMostMeshes &&
@@ -41,16 +83,10 @@ std::optional<LimitedAnswer> refine_arcs(
     const ArcFit finer =
         search.fit(path->curve, {limits, path->arcs, path->ends}, p + 1);
     if (!finer.path) return answer;
-    const double T = path->curve.transit_time();
     // The difference is T's error less that of the finer one, of either sign.
     const double error =
-        2.0 * std::abs(finer.path->curve.transit_time() / T - 1.0) +
-        path->mismatch.largest() + kRounding;
-    protocol.record.estimated_error = error;
-    protocol.keep_record("arcs", T);
-    answer.emplace(LimitedAnswer{*path, error});
-    protocol.status = Status::Solved;
-    protocol.message = "solved under limits";
+        2.0 * change(*path, *finer.path) + path->mismatch.largest() + kRounding;
+    answer.emplace(told(*path, error, protocol));
     const double tolerance = wanted.wanted_tolerance();
     if (wanted.fixed() || (error <= tolerance && keeps_limits(path->curve)) ||
         path->curve.problem().mesh().num_elements() > kManyElements) {

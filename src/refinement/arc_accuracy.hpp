@@ -19,12 +19,14 @@ struct LimitedAnswer {
   std::optional<double> estimated_error;  ///< relative, of T
   /// Found by the indirect method; on the mesh nothing was solved.
   bool sampled = false;
+  int judged_by = 0;  ///< elements of a coarser mesh; 0: by degree p + 1
 };
 
-/// On so many elements as are asked for, or one on each arc.
-[[nodiscard]] std::optional<FittedPath> on_fixed_mesh(
-    const FittedPath& path, int p, const std::vector<PathInequality>& limits,
-    const Discretisation& wanted, ArcSearch& search);
+/// On so many elements as are asked for, or one on each arc: if they are many,
+/// judged by as few as are accurate, otherwise by degree p + 1.
+[[nodiscard]] std::optional<LimitedAnswer> on_fixed_mesh(
+    const FittedPath& path, int p, const Discretisation& wanted,
+    ArcSearch& search, PassProtocol& protocol);
 
 /// Arcs get more elements until degree p + 1 on the same ones, by which the
 /// error is estimated, changes T by no more than is wanted, and limits are kept
@@ -34,8 +36,7 @@ struct LimitedAnswer {
 /// \return the most accurate one that was found; if there is none the protocol
 ///         tells why
 [[nodiscard]] std::optional<LimitedAnswer> refine_arcs(
-    std::optional<FittedPath> path, int p,
-    const std::vector<PathInequality>& limits, const Discretisation& wanted,
+    std::optional<FittedPath> path, int p, const Discretisation& wanted,
     ArcSearch& search, PassProtocol& protocol);
 
 }  // namespace brachisto

@@ -35,19 +35,18 @@ std::optional<LimitedAnswer> refined(FittedPath path,
                                      const Discretisation& wanted,
                                      ArcSearch& search,
                                      PassProtocol& protocol) {
-  const std::vector<PathInequality> limits = path.curve.problem().limits();
   const int p = wanted.degree.value_or(wanted.fixed() ? wanted.degree_of_fixed()
                                                       : kArcDegree);
-  std::optional<FittedPath> start;
-  if (wanted.fixed()) {
-    start = on_fixed_mesh(path, p, limits, wanted, search);
-  } else if (p != kArcDegree) {
-    start = search.fit(path.curve, {limits, path.arcs, path.ends}, p).path;
-  } else {
-    start = std::move(path);
+  if (wanted.fixed()) return on_fixed_mesh(path, p, wanted, search, protocol);
+  if (p == kArcDegree) {
+    return refine_arcs(std::move(path), p, wanted, search, protocol);
   }
-  if (!start) return std::nullopt;
-  return refine_arcs(std::move(start), p, limits, wanted, search, protocol);
+  return refine_arcs(
+      search
+          .fit(path.curve,
+               {path.curve.problem().limits(), path.arcs, path.ends}, p)
+          .path,
+      p, wanted, search, protocol);
 }
 
 LimitedAnswer answer_without_arcs(const PathWithoutArcs& found,

@@ -30,6 +30,11 @@ Mesh fixed_mesh(const Discretisation& wanted) {
                                               : (*wanted.nodes - 1) / degree);
 }
 
+double largest_error_of_a_judge(double tolerance) {
+  constexpr double kExact = 1e-11, kShare = 0.1;
+  return std::min(kExact, kShare * tolerance);
+}
+
 Mesh first_mesh(const Discretisation& wanted, double tolerance,
                 const ExtremalCurve& curve) {
   constexpr double kAim = 0.1;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// On which meshes of elements a path without limits is looked for.
+/// On which meshes of elements a path is looked for.
 
 #pragma once
 
@@ -13,6 +13,11 @@ namespace brachisto {
 
 /// That of a problem which asks for so many elements or nodes.
 [[nodiscard]] Mesh fixed_mesh(const Discretisation& wanted);
+
+/// What a solution on a much coarser mesh may err by, relative, for that on the
+/// mesh which is asked for to be judged by it: it is exact already but for
+/// rounding, and degree p + 1 would only cost time and memory.
+[[nodiscard]] double largest_error_of_a_judge(double tolerance);
 
 /// The mesh on which `curve` promises the wanted relative error, at the degree
 /// to start with.

@@ -196,16 +196,6 @@ MeshAnswer answer_on_mesh(const Scene& scene, const Mesh& mesh,
   return answer;
 }
 
-/// Whether the error of a large mesh can be judged by this answer of a coarser
-/// one, because it is exact already but for rounding: then degree p + 1 would
-/// only cost time and memory.
-bool judges(const MeshAnswer& coarser, double tolerance) {
-  constexpr double kExact = 1e-11;
-  constexpr double kShare = 0.1;
-  return coarser.estimated_error &&
-         *coarser.estimated_error <= std::min(kExact, kShare * tolerance);
-}
-
 /// Meshes of elements, each from the solution of the one before.
 class Elements {
  public:
@@ -224,7 +214,6 @@ class Elements {
       surface_.learn(curve);
       mesh_ = surface_.fit(std::move(mesh_), fixed_);
     }
-    // A large mesh starts from the solution on a much coarser one.
     constexpr int kManyElements = 4000;
     constexpr int kTimesCoarser = 8;
     constexpr int kEnoughElements = 5000;
@@ -240,9 +229,11 @@ class Elements {
   }
   [[nodiscard]] MeshAnswer solve(const MeshOptions& options,
                                  const Refinement&) const {
-    return answer_on_mesh(
-        scene_, mesh_, from_, phi_, options,
-        coarser_ && judges(*coarser_, tolerance_) ? &*coarser_ : nullptr);
+    const bool judged =
+        coarser_ && coarser_->estimated_error &&
+        *coarser_->estimated_error <= largest_error_of_a_judge(tolerance_);
+    return answer_on_mesh(scene_, mesh_, from_, phi_, options,
+                          judged ? &*coarser_ : nullptr);
   }
   bool goes_on(MeshAnswer answer, const StopCondition& stop, Refinement& out) {
     const MeshSolution& solution = answer.solution;

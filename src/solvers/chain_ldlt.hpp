@@ -17,7 +17,6 @@
 #include "solvers/chain_map.hpp"
 #include "solvers/dense_front.hpp"
 #include "solvers/inertia.hpp"
-#include "solvers/lane_arena.hpp"
 #include "solvers/lane_failures.hpp"
 #include "solvers/numeric_factorisation.hpp"
 #include "solvers/pivot_store.hpp"
@@ -198,7 +197,7 @@ class ChainLdlt {
   };
   /// What a thread works with.
   struct Worker {
-    LaneArena arena;
+    Arena<Lanes> arena;
     std::array<std::array<Child, 2>, kLevels + 1> children;
     std::vector<Lanes> scale;  ///< of the local unknowns of a batch
   };

@@ -170,7 +170,6 @@ void FrontStack::eliminate(Front& front, const Rule& rule) {
   local_l_.resize(std::max(local_l_.size(), at(n) + 1));
   local_m_.resize(local_l_.size());
   Record record;
-  record.values = values_.size();
   record.rows = rows_.size();
   record.size = n;
   Width width = Width::Single;
@@ -183,11 +182,12 @@ void FrontStack::eliminate(Front& front, const Rule& rule) {
   }
   record.eliminated = k;
   if (k > 0) {
-    // Only now: exchanges move the rows of earlier multipliers too. The lower
-    // trapezoid, column by column.
+    // Only now: exchanges move the rows of earlier multipliers too.
+    double* next = record.values = values_.top(record.num_values());
     for (int j = 0; j < k; ++j) {
-      values_.insert(values_.end(), &front.at(0, j) + j, &front.at(0, j) + n);
+      next = std::copy(&front.at(0, j) + j, &front.at(0, j) + n, next);
     }
+    values_.keep(record.num_values());
     rows_.insert(rows_.end(), front.unknowns.begin(), front.unknowns.end());
     widths_.resize(rows_.size(), Width::Single);
     records_.push_back(record);
@@ -208,7 +208,7 @@ void FrontStack::forward(std::span<double> x) const {
     const int n = record.size;
     const int* const rows = rows_.data() + record.rows;
     const Width* const widths = widths_.data() + record.rows;
-    const double* l = values_.data() + record.values;
+    const double* l = record.values;
     local_.resize(std::max(local_.size(), at(n)));
     for (int i = 0; i < n; ++i) local_[at(i)] = x[at(rows[i])];
     for (int k = 0; k < record.eliminated;) {
@@ -241,9 +241,7 @@ void FrontStack::backward(std::span<double> x) const {
     const int* const rows = rows_.data() + record.rows;
     const Width* const widths = widths_.data() + record.rows;
     // From the end of this front's values backwards.
-    const double* l =
-        values_.data() +
-        (f + 1 < records_.size() ? records_[f + 1].values : values_.size());
+    const double* l = record.values + record.num_values();
     local_.resize(std::max(local_.size(), at(n)));
     for (int i = 0; i < n; ++i) local_[at(i)] = x[at(rows[i])];
     for (int k = record.eliminated; k > 0;) {

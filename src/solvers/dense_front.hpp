@@ -10,6 +10,8 @@
 #include <span>
 #include <vector>
 
+#include "solvers/arena.hpp"
+
 namespace brachisto {
 
 /// Fronts in the order of their elimination, and their factors.
@@ -59,8 +61,13 @@ class FrontStack {
 
  private:
   struct Record {
-    std::size_t values = 0, rows = 0;
+    double* values = nullptr;  ///< the lower trapezoid, column by column
+    std::size_t rows = 0;
     int size = 0, eliminated = 0;
+    [[nodiscard]] std::size_t num_values() const {
+      const std::size_t k = static_cast<std::size_t>(eliminated);
+      return k * static_cast<std::size_t>(size) - k * (k - 1) / 2;
+    }
   };
   enum class Width : char { Single, Pair };
 
@@ -70,7 +77,7 @@ class FrontStack {
   std::vector<Record> records_;
   std::vector<Width> widths_;
   std::vector<int> rows_;
-  std::vector<double> values_;
+  Arena<double> values_;
   std::vector<double> local_l_, local_m_;
   mutable std::vector<double> local_;
   int negative_ = 0, zero_ = 0;

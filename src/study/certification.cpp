@@ -107,9 +107,11 @@ Certificate certify_answer(const LimitedAnswer& answer,
   }
   add_agreement(
       estimated, wanted,
-      answer.sampled
-          ? fmt::format("the sum over {} elements and shooting",
-                        mesh.num_elements())
+      answer.sampled ? fmt::format("the sum over {} elements and shooting",
+                                   mesh.num_elements())
+      : answer.judged_by > 0
+          ? fmt::format("{} elements of degree {} against {} of another mesh",
+                        mesh.num_elements(), mesh.degree, answer.judged_by)
           : fmt::format("degree {} against {} on {} elements", mesh.degree,
                         mesh.degree + 1, mesh.num_elements()),
       certificate);

@@ -177,16 +177,13 @@ void check_second_order(const LimitedCurve& curve, Certificate& certificate) {
                   inertia.negative, inertia.zero, wanted));
 }
 
-}  // namespace
-
-Certificate certify(const LimitedCurve& curve, double mismatch, double error) {
+/// The conditions of the problem whose limits are inequalities.
+void check_conditions(const LimitedCurve& curve, Certificate& certificate) {
   constexpr double kComplementarity = 1e-9;
   // What an element errs by may turn the sign where a multiplier vanishes, as
   // it does quadratically at junctions. One of −ε, even along the whole path,
   // is worth ε² in T, for the control that gives way changes by as much.
   constexpr double kSign = 1e-6;
-  constexpr double kAllowed = 1e-8;
-  Certificate certificate;
   LimitedTime problem = curve.problem().as_inequalities();
   const std::vector<double> weights = weights_of(curve, problem);
   const nlp::KktResidual residual =
@@ -208,6 +205,15 @@ Certificate certify(const LimitedCurve& curve, double mismatch, double error) {
       std::max(1.0, curve.largest_multiplier(0, problem.mesh().num_elements()));
   certificate.add("multiplier_signs",
                   residual.sign / (largest * curve.rolling_time()), kSign);
+}
+
+}  // namespace
+
+Certificate certify(const LimitedCurve& curve, double mismatch, double error) {
+  constexpr double kAllowed = 1e-8;
+  const LimitedTime& problem = curve.problem();
+  Certificate certificate;
+  check_conditions(curve, certificate);
   check_limits(curve, certificate);
   check_second_order(curve, certificate);
   const TurningPoint<double> first = curve.at(0.0).state;

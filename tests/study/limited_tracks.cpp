@@ -246,6 +246,34 @@ TEST(LimitedMeshes, DoNotChangeTheAnswer) {
   }
 }
 
+/// So the estimate is the error, but for that of the few, 1e-11 at most.
+TEST(LimitedMeshes, OfManyElementsAreJudgedByFew) {
+  constexpr double kOfFew = 1e-11;
+  const LimitedReference row = limited_reference("uniform_friction_0.5");
+  for (const int degree : {1, 2, 5}) {
+    SolveOptions options;
+    auto& mesh = options.use<Collocation>().discretisation;
+    mesh.degree = degree;
+    mesh.elements = 1000;
+
+    const Solution solution = solve(row.scene, options);
+
+    ASSERT_EQ(solution.status, Status::Solved) << solution.message;
+    const Check* agreement = solution.certificate.find("agreement");
+    ASSERT_NE(agreement, nullptr);
+    EXPECT_NE(agreement->where.find("1000 elements of degree " +
+                                    std::to_string(degree) + " against"),
+              std::string::npos)
+        << agreement->where;
+    const double error = std::abs(solution.motion()->tau() / row.tau - 1.0);
+    EXPECT_LE(error, *solution.estimated_error + kConditions / row.tau);
+    // Relative to the time found, not to the true one.
+    EXPECT_NEAR(*solution.estimated_error, error,
+                2.0 * kOfFew + 2.0 * error * error)
+        << degree;
+  }
+}
+
 /// A steep start is what friction forbids however great it is, since the force
 /// vanishes there: τ(μ) = τ − 0.032/μ to first order.
 TEST(LimitedLaws, FrictionWithoutBoundLeavesTheFreeTrack) {

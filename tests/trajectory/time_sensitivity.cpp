@@ -122,7 +122,7 @@ INSTANTIATE_TEST_SUITE_P(
         World{"in_air", [](const Scene& s) { return in_air(s, 0.1, 0.05); }},
         World{"about_a_sphere",
               [](const Scene& s) { return about_sphere(s, around()); }}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& one) { return one.param.name; });
 
 }  // namespace
 }  // namespace brachisto

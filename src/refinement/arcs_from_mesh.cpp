@@ -58,12 +58,16 @@ LimitedAnswer answer_without_arcs(const PathWithoutArcs& found,
 
 LimitedRefinement refine_from_mesh(const LimitedCurve& mesh,
                                    const Discretisation& wanted,
-                                   const MeshOptions& options) {
+                                   const MeshOptions& options,
+                                   ItsArcs its_arcs) {
   PassProtocol protocol(options);
   ArcSearch search(protocol, options);
   std::optional<LimitedAnswer> answer;
   SolvedWithoutArcs without;
-  auto path = arcs_from(mesh, kArcDegree, search, protocol);
+  std::optional<FittedPath> path;
+  if (its_arcs == ItsArcs::Tried) {
+    path = arcs_from(mesh, kArcDegree, search, protocol);
+  }
   if (path) answer = refined(*std::move(path), wanted, search, protocol);
   if (!answer && !wanted.fixed() && !protocol.stopped() &&
       protocol.status != Status::NoFastestTrack) {

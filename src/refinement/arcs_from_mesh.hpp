@@ -39,12 +39,16 @@ inline constexpr int kArcDegree = 7;
 [[nodiscard]] LimitedAnswer answer_without_arcs(const PathWithoutArcs& found,
                                                 PassProtocol& protocol);
 
+/// Whether the arcs that a coarse path tells are worth a try.
+enum class ItsArcs { Tried, Known };
+
 /// The answer that a coarse path leads to: on its arcs, or if these lead to
-/// none on those of finer meshes; where they do not either, the finest mesh.
+/// none, or are known, on those of finer meshes; where they do not either, the
+/// finest mesh.
 ///
 /// \param mesh  of a scene in natural units, its limits being inequalities
-[[nodiscard]] LimitedRefinement refine_from_mesh(const LimitedCurve& mesh,
-                                                 const Discretisation& wanted,
-                                                 const MeshOptions& options);
+[[nodiscard]] LimitedRefinement refine_from_mesh(
+    const LimitedCurve& mesh, const Discretisation& wanted,
+    const MeshOptions& options, ItsArcs its_arcs = ItsArcs::Tried);
 
 }  // namespace brachisto

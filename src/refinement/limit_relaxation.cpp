@@ -91,6 +91,21 @@ LimitRelaxation::LimitRelaxation(const Scene& scene,
   }
 }
 
+bool bounds_differ_alone(const std::vector<PathInequality>& from,
+                         const std::vector<PathInequality>& to) {
+  const auto alike = [](const PathInequality& a, const PathInequality& b) {
+    const auto follows = [](double before, double after) {
+      return before == after || (std::isfinite(before) && std::isfinite(after));
+    };
+    const bool there = (a.place.x == b.place.x && a.place.z == b.place.z) ||
+                       a.kind == PathInequality::Kind::HalfPlane;
+    return a.kind == b.kind && there && a.normal.x == b.normal.x &&
+           a.normal.z == b.normal.z && follows(a.lower, b.lower) &&
+           follows(a.upper, b.upper) && follows(a.number, b.number);
+  };
+  return std::ranges::equal(from, to, alike);
+}
+
 LimitRelaxation::LimitRelaxation(const std::vector<PathInequality>& from,
                                  const std::vector<PathInequality>& to) {
   for (std::size_t i = 0; i < to.size(); ++i) ways_.push_back({from[i], to[i]});

@@ -18,6 +18,11 @@ namespace brachisto {
 [[nodiscard]] TurningPoint<double> turning_point(const ExtremalCurve& curve,
                                                  double sigma);
 
+/// Whether limits are of the same kinds at the same places, with bounds on the
+/// same sides.
+[[nodiscard]] bool bounds_differ_alone(const std::vector<PathInequality>& from,
+                                       const std::vector<PathInequality>& to);
+
 /// Interpolates limits, from some that the free extremal keeps or that another
 /// path does.
 class LimitRelaxation {
@@ -25,6 +30,7 @@ class LimitRelaxation {
   /// \param free  must outlive this
   LimitRelaxation(const Scene& scene, const ExtremalCurve& free);
   /// From other bounds of the same limits.
+  /// \pre bounds_differ_alone()
   LimitRelaxation(const std::vector<PathInequality>& from,
                   const std::vector<PathInequality>& to);
 

@@ -65,8 +65,10 @@ class LimitedSolve {
           tightening_->is_shut();
         }
       }
+      protocol_.most_work = kSearchWaves * kMostSearchWork;
+      come_from_waves();
       protocol_.most_work = kSearchLooser * kMostSearchWork;
-      come_from_looser();
+      if (!answer_) come_from_looser();
     }
     return finished();
   }
@@ -125,7 +127,7 @@ class LimitedSolve {
     Status status = protocol_.status;
     std::string message = tightened ? only_on_coarse_mesh() : protocol_.message;
     // Each leaves some work to those that come after it.
-    if (tightened) path = with_share(0.4, [&] { return from_mesh(); });
+    if (tightened) path = with_share(0.6, [&] { return from_mesh(); });
     if (!settled() && tightening_->is_shut()) return path;
     if (!settled() && (tightened || status != Status::Infeasible)) {
       path = with_share(0.4, [&] { return follow_from_loosest(); });
@@ -178,6 +180,26 @@ class LimitedSolve {
     return read_off();
   }
 
+  /// Under the limits asked for, from paths that have little to do with the
+  /// free one.
+  void come_from_waves() {
+    constexpr int kWaves = 4;  // with half of the work that is left, each
+    if (protocol_.status == Status::NoAdmissiblePath) return;
+    tries("from random paths");
+    const Status status = protocol_.status;
+    const std::string message = protocol_.message;
+    for (const RoughPath& wavy : waves(scene_, *free_, kWaves)) {
+      if (stopped()) break;
+      const auto path = path_under(
+          0.0,
+          [&](Tightening& tightening) { return tightening.tighten_from(wavy); },
+          0.5);
+      if (path) take(*path);
+      if (answer_) return;
+    }
+    protocol_.fail(status, message);
+  }
+
   /// What is found is made exact, whatever the search took.
   void refine(std::optional<FittedPath> path) {
     if (!path) return;
@@ -208,8 +230,6 @@ class LimitedSolve {
   [[nodiscard]] bool ended() const {
     return stopped() || protocol_.status == Status::NoFastestTrack;
   }
-
-  // ---- Arcs.
 
   /// From what the interior-point method found.
   [[nodiscard]] std::optional<FittedPath> read_off() {
@@ -274,12 +294,16 @@ class LimitedSolve {
     tried_mesh_ = true;
     if (!tightening_->tight() || wanted_.fixed()) return {};
     tries("on meshes that know no arcs");
-    SolvedWithoutArcs solved = solve_without_arcs(
-        *tightening_->tight(),
-        wanted_.tolerance.value_or(kToleranceWithoutArcs), left(), protocol_);
     std::optional<FittedPath> path;
-    if (solved.finest() && !stopped()) path = arcs_from(*solved.finest());
-    mesh_ = std::move(solved.path);
+    for (const First first : {First::Finer, First::DrawnIn}) {
+      SolvedWithoutArcs solved =
+          solve_without_arcs(*tightening_->tight(),
+                             wanted_.tolerance.value_or(kToleranceWithoutArcs),
+                             left(), protocol_, first);
+      if (solved.finest() && !stopped()) path = arcs_from(*solved.finest());
+      mesh_ = std::move(solved.path);
+      if (path || mesh_ || ended()) break;
+    }
     return path;
   }
   void take_mesh() {
@@ -293,7 +317,7 @@ class LimitedSolve {
     tries("from looser limits");
     double share = 0.25;  // of the work, for each of them
     for (const double by : {0.05, 0.2, 0.6, 1.0}) {
-      auto path = path_under(by, nullptr, share);
+      auto path = path_under(by, &Tightening::tighten, share);
       share /= 1.0 - share;
       if (path) return tighten(*std::move(path));
       if (stopped()) return;
@@ -309,9 +333,11 @@ class LimitedSolve {
     ipopt.max_iterations -= protocol_.record.iterations;
     return ipopt;
   }
-  /// With those too, perhaps from a path under other limits.
+  /// With those too.
+  /// \param tighten  from some start
   [[nodiscard]] std::optional<LoosenedPath> path_under(
-      double by, const FittedPath* nearby = nullptr, double share = 0.5) {
+      double by, const std::function<bool(Tightening&)>& tighten,
+      double share = 0.5) {
     const PhaseTimer timer(Phase::Start);
     MeshOptions options = options_;
     options.ipopt = left();
@@ -320,12 +346,8 @@ class LimitedSolve {
     LimitedSolve solve(looser, wanted_, *free_, phi_, options);
     solve.protocol_.most_work = share * (protocol_.most_work - protocol_.work);
     std::optional<FittedPath> path;
-    if (solve.tightening_->is_shut()) return std::nullopt;
-    if (nearby != nullptr) {
-      path = solve.from_nearby(*nearby);
-    } else if (solve.tightening_->tighten()) {
-      path = solve.read_off();
-    }
+    if (by > 0.0 && solve.tightening_->is_shut()) return std::nullopt;
+    if (tighten(*solve.tightening_)) path = solve.read_off();
     if (!path && !solve.ended()) path = solve.from_mesh();
     RefinementProtocol done = std::move(solve.protocol_).finished();
     std::ranges::move(done.meshes, std::back_inserter(protocol_.meshes));
@@ -351,8 +373,10 @@ class LimitedSolve {
       if (reached.by == 0.0) take(reached);
       if (reached.by < kNothing || status == Status::NoSmoothContact) break;
       const double next = reached.by * (1.0 - leap);
-      auto there = path_under(next, &reached.path);
-      if (!there && next > 0.0) there = path_under(next);
+      auto there = path_under(next, [&](Tightening& tightening) {
+        return tightening.tighten_from(reached.path.curve);
+      });
+      if (!there && next > 0.0) there = path_under(next, &Tightening::tighten);
       if (there) {
         loosened_.push_back(*std::move(there));
         follow_tighter();
@@ -416,18 +440,8 @@ LimitedRefinement refine_limited(const Scene& scene,
 std::optional<LimitedRefinement> refine_limited_beside(
     const Scene& scene, const Discretisation& wanted,
     const FittedPath& neighbour, MeshOptions options, double most_work) {
-  const auto alike = [](const PathInequality& a, const PathInequality& b) {
-    const auto follows = [](double from, double to) {
-      return from == to || (std::isfinite(from) && std::isfinite(to));
-    };
-    const bool there = (a.place.x == b.place.x && a.place.z == b.place.z) ||
-                       a.kind == PathInequality::Kind::HalfPlane;
-    return a.kind == b.kind && there && a.normal.x == b.normal.x &&
-           a.normal.z == b.normal.z && follows(a.lower, b.lower) &&
-           follows(a.upper, b.upper) && follows(a.number, b.number);
-  };
-  if (!std::ranges::equal(neighbour.curve.problem().limits(),
-                          inequalities(scene.body, scene.limits), alike)) {
+  if (!bounds_differ_alone(neighbour.curve.problem().limits(),
+                           inequalities(scene.body, scene.limits))) {
     return std::nullopt;
   }
   return LimitedSolve(scene, wanted, options).run_beside(neighbour, most_work);

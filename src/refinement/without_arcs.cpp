@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -32,14 +34,19 @@ Mesh halved(const Mesh& mesh) {
   return next;
 }
 
+double sum_of(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
 class WithoutArcs {
  public:
   WithoutArcs(const LimitedCurve& coarse, const IpoptOptions& ipopt,
-              PassProtocol& protocol)
+              PassProtocol& protocol, First first)
       : scene_(coarse.problem().scene()),
         limits_(coarse.problem().limits()),
         ipopt_(ipopt),
         protocol_(protocol),
+        first_(first),
         curve_(coarse),
         ends_(coarse.problem().ends()) {}
 
@@ -50,8 +57,8 @@ class WithoutArcs {
 
  private:
   [[nodiscard]] std::optional<PathWithoutArcs> accurate_to(double tolerance) {
-    constexpr int kMostMeshes = 12, kMostElements = 800;
-    constexpr double kShare = 0.1;
+    constexpr int kMostMeshes = 12, kMostElements = 800, kMostRounds = 8;
+    constexpr double kShare = 0.1, kMostCost = 0.3;
     if (!close(curve_.problem().mesh())) return std::nullopt;
     double before = curve_.transit_time();
     double change = 1.0;
@@ -68,22 +75,34 @@ class WithoutArcs {
       change = std::abs(curve_.transit_time() / before - 1.0);
       before = curve_.transit_time();
     }
-    for (int i = 0; i < 2; ++i) {
+    double of_mesh = 0.0;
+    Mesh next = halved(curve_.problem().mesh());
+    for (int i = 0; i < kMostRounds; ++i) {
       ends_as_it_does_ = false;
-      if (!close(halved(curve_.problem().mesh()))) return std::nullopt;
+      if (!close(next)) break;
       // With least margins, as before: what the mesh alone has changed.
       const double free_time = curve_.transit_time();
-      const double of_mesh =
-          std::abs(free_time / std::exchange(before, free_time) - 1.0);
-      if (!keep_between()) continue;
-      const double error = 2.0 * of_mesh +
-                           std::abs(curve_.transit_time() / free_time - 1.0) +
-                           cost_of_margins() + mismatch_.largest() + kRounding;
-      protocol_.record.estimated_error = error;
-      protocol_.keep_record("mesh", curve_.transit_time());
-      if (error <= tolerance) {
-        return PathWithoutArcs{{{}, ends_, curve_, mismatch_}, error};
+      of_mesh = std::max(
+          of_mesh,
+          std::abs(free_time / std::exchange(before, free_time) - 1.0));
+      next = finer_where_costly(kShare * tolerance);
+      if (first_ == First::Finer && i + 1 < kMostRounds &&
+          next.num_elements() <= kMostElements &&
+          sum_of(cost_of_keeping()) > kMostCost * tolerance) {
+        continue;
       }
+      if (keep_between()) {
+        const double error =
+            2.0 * of_mesh + std::abs(curve_.transit_time() / free_time - 1.0) +
+            sum_of(cost_of_keeping()) + mismatch_.largest() + kRounding;
+        protocol_.record.estimated_error = error;
+        protocol_.keep_record("mesh", curve_.transit_time());
+        if (error <= tolerance) {
+          return PathWithoutArcs{{{}, ends_, curve_, mismatch_}, error};
+        }
+      }
+      next = finer_where_costly(kShare * tolerance);
+      if (next.num_elements() > kMostElements) break;
     }
     static_cast<void>(protocol_.fail(
         Status::NotConverged, "without arcs the mesh did not become accurate"));
@@ -91,6 +110,8 @@ class WithoutArcs {
   }
 
   static constexpr double kRounding = 1e-13;
+  /// What limits may be exceeded by between points.
+  static constexpr double kExcess = 1e-9;
   /// What limits are kept by in any case, well above what a certificate allows
   /// them to be exceeded by.
   static constexpr double kLeastMargin = 1e-7;
@@ -242,7 +263,7 @@ class WithoutArcs {
   /// path does, whose slope there is less accurate than that of costates.
   [[nodiscard]] bool keep_between() {
     constexpr int kMostPasses = 12;
-    constexpr double kExcess = 1e-9, kMore = 1.2, kMoreOfMotion = 2.0;
+    constexpr double kMore = 1.2, kMoreOfMotion = 2.0;
     constexpr double kMoreEachTime = 2.0;
     ends_as_it_does_ = true;
     std::vector<double> more(margins_.size(), kMore);  // by element
@@ -270,23 +291,59 @@ class WithoutArcs {
                           "without arcs limits were not kept between points");
   }
 
-  /// To first order, as a share of T.
-  [[nodiscard]] double cost_of_margins() const {
+  /// What it costs on each element that limits are kept between its points, as
+  /// a share of T: to first order by how much bounds are drawn in, times their
+  /// multipliers, and what they are still exceeded by, times the largest
+  /// multiplier next to it. Where the control jumps that of the limit itself is
+  /// about zero until its bound is drawn in.
+  [[nodiscard]] std::vector<double> cost_of_keeping() const {
     const LimitedTime& problem = curve_.problem();
-    double sum = 0.0;
-    for (int c = 0; c < problem.layout().num_points(); ++c) {
-      for (int i = 0; i < problem.layout().num_limits(); ++i) {
-        const int row = problem.layout().limit(c, i);
-        sum += problem.margin(c, i) * std::abs(curve_.point().lambda[at(row)]);
+    const Mesh& mesh = problem.mesh();
+    const int p = mesh.degree, N = mesh.num_elements();
+    std::vector<double> cost;
+    for (int e = 0; e < N; ++e) {
+      double sum = 0.0;
+      for (int c = e * p; c < (e + 1) * p; ++c) {
+        for (int i = 0; i < problem.layout().num_limits(); ++i) {
+          sum +=
+              problem.margin(c, i) *
+              std::abs(curve_.point().lambda[at(problem.layout().limit(c, i))]);
+        }
       }
+      double where = 0.0;
+      const double excess = curve_.excess_on(e, where).value;
+      if (excess > kExcess) {
+        sum +=
+            excess * mesh.length(e) * curve_.rolling_time() *
+            curve_.largest_multiplier(std::max(0, e - 1), std::min(N, e + 2));
+      }
+      cost.push_back(sum / curve_.transit_time());
     }
-    return sum / curve_.transit_time();
+    return cost;
+  }
+  /// Elements that cost more than their share of so much are quartered: bounds
+  /// are then drawn in along a stretch a quarter as long.
+  [[nodiscard]] Mesh finer_where_costly(double most) const {
+    constexpr int kPieces = 4;
+    const Mesh& mesh = curve_.problem().mesh();
+    const std::vector<double> cost = cost_of_keeping();
+    Mesh next{mesh.degree, {0.0}};
+    for (int e = 0; e < mesh.num_elements(); ++e) {
+      const bool costly = cost[at(e)] * mesh.num_elements() > most;
+      for (int piece = 1; costly && piece < kPieces; ++piece) {
+        next.boundaries.push_back(
+            mesh.sigma(e, static_cast<double>(piece) / kPieces));
+      }
+      next.boundaries.push_back(mesh.boundaries[at(e + 1)]);
+    }
+    return next;
   }
 
   Scene scene_;
   std::vector<PathInequality> limits_;
   IpoptOptions ipopt_;
   PassProtocol& protocol_;
+  First first_;
   LimitedCurve curve_;
   std::optional<LimitedCurve> closed_;  ///< see SolvedWithoutArcs
   LimitedEnds ends_;
@@ -322,8 +379,8 @@ Mesh finer_at_changes(const LimitedCurve& curve) {
 SolvedWithoutArcs solve_without_arcs(const LimitedCurve& coarse,
                                      double tolerance,
                                      const IpoptOptions& ipopt,
-                                     PassProtocol& protocol) {
-  return WithoutArcs(coarse, ipopt, protocol).run(tolerance);
+                                     PassProtocol& protocol, First first) {
+  return WithoutArcs(coarse, ipopt, protocol, first).run(tolerance);
 }
 
 }  // namespace brachisto

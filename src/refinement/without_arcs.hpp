@@ -50,18 +50,25 @@ struct SolvedWithoutArcs {
   }
 };
 
+/// What is done first where a path exceeds a limit between the points of its
+/// mesh, as it does where the control jumps: elements are quartered as long as
+/// to draw their bounds in would cost much, or bounds are drawn in, and what
+/// then costs much is quartered. Where the one leads nowhere the other may.
+enum class First { Finer, DrawnIn };
+
 /// The program under the limits of the scene, on elements that are halved where
 /// what holds changes, until T changes by no more than a share of the
-/// tolerance; then on all of them halved. Where the path exceeds a limit
-/// between the points the bounds of its element are drawn in by as much. The
-/// contact is closed on each mesh.
+/// tolerance; then on all of them halved. Limits are kept between the points
+/// too by what is done First, and then by the other. The contact is closed on
+/// each mesh.
 ///
 /// \param coarse     a solution of the same limits as inequalities
 /// \param tolerance  relative, of T
 [[nodiscard]] SolvedWithoutArcs solve_without_arcs(const LimitedCurve& coarse,
                                                    double tolerance,
                                                    const IpoptOptions& ipopt,
-                                                   PassProtocol& protocol);
+                                                   PassProtocol& protocol,
+                                                   First first = First::Finer);
 
 /// Elements halved where what holds changes within them or next to them.
 [[nodiscard]] Mesh finer_at_changes(const LimitedCurve& curve);

@@ -11,6 +11,7 @@
 
 #include "model/loosened_limits.hpp"
 #include "refinement/arc_elements.hpp"
+#include "refinement/arcs_from_mesh.hpp"
 #include "refinement/without_arcs.hpp"
 #include "study/blocking_limit.hpp"
 #include "study/certification.hpp"
@@ -101,6 +102,24 @@ void conclude(const PosedProblem& posed, const LimitedAnswer& found,
   record(verdict(out, message), out);
 }
 
+/// From a path whose conditions are met but for their signs, say, to another
+/// one that its program leads to; nothing changes if that is not verified.
+void conclude_elsewhere(const PosedProblem& posed, const LimitedCurve& curve,
+                        Solution& out) {
+  Solution other = out;
+  conclude(
+      posed,
+      refine_from_mesh({curve.problem().as_inequalities(), curve.point()},
+                       posed.program.discretisation,
+                       posed.mesh_options_after(out.effort), ItsArcs::Known),
+      other);
+  if (other.verified()) {
+    out = std::move(other);
+  } else {
+    out.effort = other.effort;
+  }
+}
+
 void conclude_resolved(const PosedProblem& posed, LimitedRefinement found,
                        Solution& out) {
   constexpr int kRounds = 3;
@@ -125,7 +144,7 @@ void conclude_resolved(const PosedProblem& posed, LimitedRefinement found,
     auto held = held_from_rest(path.curve, path.arcs);
     if (!(held && resolved_by(*std::move(held))) &&
         !(under_resolved(out.certificate) && resolved_by(halved(path.arcs)))) {
-      return;
+      return conclude_elsewhere(posed, path.curve, out);
     }
     conclude(posed, found, out);
   }

@@ -49,7 +49,7 @@ Cost of_fixed_mesh(double nodes, const Collocation& program, bool limited) {
                       2.2e-5 * nodes};
   }
   const double n = nodes * cost_by_degree(mesh.degree_of_fixed());
-  if (limited) return {nodes, 5e6 + 12e3 * n, 0.1 + 1.4e-4 * n};
+  if (limited) return {nodes, 5e6 + 6e3 * n, 0.1 + 8e-5 * n};
   if (program.solver == ProgramSolver::NewtonKkt) {
     return {nodes, 2.1e3 * n, 1.05e-5 * n};
   }

@@ -156,5 +156,20 @@ TEST(HardLimits, ABodyWithRollingResistanceBeginsWithoutLoad) {
   }
 }
 
+/// Its first path meets all conditions but the sign of a multiplier: others are
+/// faster, and the program that it is a start for leads to one.
+TEST(HardLimits, APathWhoseMultiplierHasTheWrongSignIsLeft) {
+  PathLimits limits;
+  limits.floor = 1.329;
+  limits.fold_margin = 0.348;
+  limits.curvature.valley = 0.536;
+  limits.curvature.of = CurvatureLimit::Of::Centre;
+
+  const Solution solution =
+      confirmed(cylinder_scene(0.268, 0.061, 57.85, 0.766, 4.165, limits));
+
+  EXPECT_TRUE(solution.certificate.find("multiplier_signs")->passed);
+}
+
 }  // namespace
 }  // namespace brachisto

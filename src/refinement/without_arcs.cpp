@@ -58,7 +58,9 @@ class WithoutArcs {
  private:
   [[nodiscard]] std::optional<PathWithoutArcs> accurate_to(double tolerance) {
     constexpr int kMostMeshes = 12, kMostElements = 800, kMostRounds = 8;
-    constexpr double kShare = 0.1, kMostCost = 0.3;
+    constexpr double kShare = 0.1, kMostCost = 0.1;
+    // An error of order three or more has lost seven eighths by it.
+    constexpr double kSmooth = 1.0 / 7.0;
     if (!close(curve_.problem().mesh())) return std::nullopt;
     double before = curve_.transit_time();
     double change = 1.0;
@@ -75,16 +77,18 @@ class WithoutArcs {
       change = std::abs(curve_.transit_time() / before - 1.0);
       before = curve_.transit_time();
     }
-    double of_mesh = 0.0;
+    double of_halving = 0.0;
     Mesh next = halved(curve_.problem().mesh());
     for (int i = 0; i < kMostRounds; ++i) {
       ends_as_it_does_ = false;
       if (!close(next)) break;
-      // With least margins, as before: what the mesh alone has changed.
+      // With least margins, as before: what the mesh alone has changed. On
+      // smooth stretches, where no more elements come, that was of_halving.
       const double free_time = curve_.transit_time();
-      of_mesh = std::max(
-          of_mesh,
-          std::abs(free_time / std::exchange(before, free_time) - 1.0));
+      const double changed =
+          std::abs(free_time / std::exchange(before, free_time) - 1.0);
+      if (i == 0) of_halving = changed;
+      const double of_mesh = std::max(2.0 * changed, kSmooth * of_halving);
       next = finer_where_costly(kShare * tolerance);
       if (first_ == First::Finer && i + 1 < kMostRounds &&
           next.num_elements() <= kMostElements &&
@@ -93,7 +97,7 @@ class WithoutArcs {
       }
       if (keep_between()) {
         const double error =
-            2.0 * of_mesh + std::abs(curve_.transit_time() / free_time - 1.0) +
+            of_mesh + std::abs(curve_.transit_time() / free_time - 1.0) +
             sum_of(cost_of_keeping()) + mismatch_.largest() + kRounding;
         protocol_.record.estimated_error = error;
         protocol_.keep_record("mesh", curve_.transit_time());
@@ -124,6 +128,7 @@ class WithoutArcs {
   /// On a mesh, from the last path.
   [[nodiscard]] bool close(const Mesh& mesh) {
     margins_ = least_margins(mesh);
+    rates_.resize(0, 0);
     if (!close_contact(mesh)) return false;
     closed_ = curve_;
     return true;
@@ -146,7 +151,10 @@ class WithoutArcs {
     if (!ends || !solve(problem_on(mesh, *ends), false)) return false;
     ends_ = *ends;
     Eigen::VectorXd open = open_now();
-    Eigen::MatrixXd B = -Eigen::MatrixXd::Identity(open.size(), open.size());
+    Eigen::MatrixXd& B = rates_;
+    if (B.rows() != open.size()) {
+      B = -Eigen::MatrixXd::Identity(open.size(), open.size());
+    }
     double largest = kLargestStep;
     for (int i = 0; i < kMostPasses; ++i) {
       if (mismatch_.largest() <= kClosed) return true;
@@ -266,6 +274,7 @@ class WithoutArcs {
     constexpr double kMore = 1.2, kMoreOfMotion = 2.0;
     constexpr double kMoreEachTime = 2.0;
     ends_as_it_does_ = true;
+    rates_.resize(0, 0);
     std::vector<double> more(margins_.size(), kMore);  // by element
     for (int i = 0; i < kMostPasses; ++i) {
       const Mesh mesh = curve_.problem().mesh();
@@ -349,6 +358,7 @@ class WithoutArcs {
   LimitedEnds ends_;
   ContactMismatch mismatch_;
   bool ends_as_it_does_ = false;  ///< see keep_between()
+  Eigen::MatrixXd rates_;         ///< of what is open by the slopes at the ends
   Margins margins_;
 };
 

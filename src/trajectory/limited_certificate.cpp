@@ -177,15 +177,10 @@ void check_second_order(const LimitedCurve& curve, Certificate& certificate) {
                   inertia.negative, inertia.zero, wanted));
 }
 
-/// The conditions of the problem whose limits are inequalities. Slack times
-/// multiplier, summed over the path, is to first order what T has yet to lose:
-/// where no arcs are known it may be a part of the estimated error, which on
-/// elements of 1e-5 of the path is more than an interior-point method leaves.
+/// The conditions of the problem whose limits are inequalities.
 void check_conditions(const LimitedCurve& curve, double error,
                       Certificate& certificate) {
-  constexpr double kOfError = 0.1;
-  const double allowed =
-      curve.problem().held() ? 1e-9 : std::max(1e-9, kOfError * error);
+  constexpr double kComplementarity = 1e-9, kOfError = 0.1;
   // What an element errs by may turn the sign where a multiplier vanishes, as
   // it does quadratically at junctions. One of −ε, even along the whole path,
   // is worth ε² in T, for the control that gives way changes by as much.
@@ -205,8 +200,20 @@ void check_conditions(const LimitedCurve& curve, double error,
                   residual.worst_variable);
   certificate.add("defects", residual.infeasibility + residual.bound_violation,
                   kThresholds.defects, residual.worst_constraint);
-  certificate.add("complementarity", residual.complementarity, allowed,
-                  residual.worst_multiplier);
+  if (curve.problem().held()) {
+    certificate.add("complementarity", residual.complementarity,
+                    kComplementarity, residual.worst_multiplier);
+  } else {
+    // Slack times multiplier, over all points: what T has yet to lose to first
+    // order. An interior-point method leaves as much at each, of short elements
+    // too, and here it is a part of the estimated error.
+    const VariableLayout& layout = problem.layout();
+    const int bounds = 2 * layout.num_points() * layout.num_limits();
+    certificate.add("complementarity",
+                    residual.barrier_parameter * bounds / curve.transit_time(),
+                    std::max(kComplementarity, kOfError * error),
+                    residual.worst_multiplier);
+  }
   const double largest =
       std::max(1.0, curve.largest_multiplier(0, problem.mesh().num_elements()));
   certificate.add("multiplier_signs",

@@ -57,26 +57,13 @@ class WithoutArcs {
 
  private:
   [[nodiscard]] std::optional<PathWithoutArcs> accurate_to(double tolerance) {
-    constexpr int kMostMeshes = 12, kMostElements = 800, kMostRounds = 8;
+    constexpr int kMostRounds = 8;
     constexpr double kShare = 0.1, kMostCost = 0.1;
     // An error of order three or more has lost seven eighths by it.
     constexpr double kSmooth = 1.0 / 7.0;
     if (!close(curve_.problem().mesh())) return std::nullopt;
+    halve_at_changes(kShare * tolerance);
     double before = curve_.transit_time();
-    double change = 1.0;
-    for (int i = 0; i < kMostMeshes && change > kShare * tolerance; ++i) {
-      const Mesh next = finer_at_changes(curve_);
-      if (next.num_elements() > kMostElements) break;
-      const LimitedCurve last = curve_;
-      const LimitedEnds last_ends = ends_;
-      if (!close(next)) {
-        curve_ = last;
-        ends_ = last_ends;
-        break;
-      }
-      change = std::abs(curve_.transit_time() / before - 1.0);
-      before = curve_.transit_time();
-    }
     double of_halving = 0.0;
     Mesh next = halved(curve_.problem().mesh());
     for (int i = 0; i < kMostRounds; ++i) {
@@ -113,6 +100,26 @@ class WithoutArcs {
     return std::nullopt;
   }
 
+  /// Elements in which what holds changes, until T changes by no more than so
+  /// much, relative, or the contact is not closed any more.
+  void halve_at_changes(double enough) {
+    constexpr int kMostMeshes = 12;
+    double change = 1.0;
+    for (int i = 0; i < kMostMeshes && change > enough; ++i) {
+      const Mesh next = finer_at_changes(curve_);
+      if (next.num_elements() > kMostElements) return;
+      const LimitedCurve last = curve_;
+      const LimitedEnds last_ends = ends_;
+      if (!close(next)) {
+        curve_ = last;
+        ends_ = last_ends;
+        return;
+      }
+      change = std::abs(curve_.transit_time() / last.transit_time() - 1.0);
+    }
+  }
+
+  static constexpr int kMostElements = 800;
   static constexpr double kRounding = 1e-13;
   /// What limits may be exceeded by between points.
   static constexpr double kExcess = 1e-9;

@@ -6,6 +6,7 @@
     side_by_side.py build/release/src/app/brachisto --count 10000 --seed 17
     side_by_side.py build/release/src/app/brachisto --count 1000 --seed 17 --air
     side_by_side.py build/release/src/app/brachisto --count 1000 --seed 17 --push --extremals
+    side_by_side.py build/release/src/app/brachisto --count 300 --seed 17 --planet outside
     side_by_side.py build/release/src/app/brachisto --count 30 --seed 5 --push --rates
 
 Makes a sweep of random scenes, runs it with `solver.method: auto` and with `ipopt` and tells how
@@ -45,6 +46,13 @@ AIR = """      scene.air.linear: {from: 0, to: 0.5}
       scene.air.quadratic: {from: 0, to: 0.2}
 """
 PUSH = "      scene.start.speed: {from: 0.1, to: 3}\n"
+# Of a planet of some bodies' size, its surface below all of them or above.
+PLANET = """      scene.field.sphere.centre.x: {{from: 1, to: 5}}
+      scene.field.sphere.centre.z: {{from: 9.5, to: 15}}
+      scene.field.sphere.radius: {{from: {least}, to: {most}}}
+      scene.field.sphere.surface_gravity: {{from: 3, to: 20}}
+"""
+PLANETS = {"outside": PLANET.format(least=2, most=7), "inside": PLANET.format(least=17.5, most=30)}
 VERDICTS = ("verified", "feasible", "status")
 ALONE = ("solver.method=ipopt",)
 TO_LAST_DIGITS = ("discretisation.tolerance=1e-13",)
@@ -71,6 +79,7 @@ def main():
     parser.add_argument("--seed", type=int, default=17)
     parser.add_argument("--air", action="store_true", help="each scene in an air of its own")
     parser.add_argument("--push", action="store_true", help="each scene with a start speed of its own")
+    parser.add_argument("--planet", choices=PLANETS, help="each scene in the field of a sphere of its own")
     how = parser.add_mutually_exclusive_group()
     how.add_argument("--extremals", action="store_true", help="compare with extremals to 1e-13")
     how.add_argument("--rates", action="store_true", help="compare first derivatives too")
@@ -80,7 +89,8 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         problem = folder / "scenes.yaml"
-        problem.write_text(text + (AIR if asked.air else "") + (PUSH if asked.push else ""))
+        problem.write_text(text + (AIR if asked.air else "") + (PUSH if asked.push else "")
+                           + PLANETS.get(asked.planet, ""))
         beside, alone = (
             rows(asked.program, problem, str(folder / out), asked.jobs, settings)
             for out, settings in (("beside", ("solver.method=auto", *(RATES if asked.rates else ()))),

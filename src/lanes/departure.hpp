@@ -84,7 +84,12 @@ class Departures {
       out.turning[kX] = radius_ * cos(least);
       out.turning[kZ] = radius_ * sin(least);
       out.turning[kW] = w_by;
-      out.turning[kPW] = -(at.hamiltonian.gradient[kW] * w_by / f[kW].value);
+      const auto& h = at.hamiltonian.gradient;
+      Number gained = h[kW] * w_by;
+      if constexpr (Flow::kIgnorable == 0) {
+        gained = gained + h[kX] * out.turning[kX] + h[kZ] * out.turning[kZ];
+      }
+      out.turning[kPW] = -(gained / f[kW].value);
       Number by_itself(0.0);
       for (const std::size_t j : {kX, kZ, kW, kPW}) {
         by_itself = by_itself + by_state[j] * out.turning[j];
@@ -113,22 +118,16 @@ class Departures {
     const auto& problem = flow_.problem();
     const Number root = root_of_inertia(problem.bodies(), theta_m_, beta);
     const Number w = root * speed_;
-    const auto f = problem
-                       .template jets<typename Flow::FirstOrder>(
-                           {Number(0.0), Number(0.0), theta_m_, w, beta})
-                       .states;
+    const Number x = radius_ * sin(beta), z = -(radius_ * cos(beta));
+    const auto f =
+        problem
+            .template jets<typename Flow::FirstOrder>({x, z, theta_m_, w, beta})
+            .states;
     Number sum = root;
     for (std::size_t j = 0; j < kCostates; ++j) sum = sum + p[j] * f[j].value;
     Start out;
     out.beta = beta;
-    out.y = {radius_ * sin(beta),
-             -(radius_ * cos(beta)),
-             theta_m_,
-             w,
-             p[0],
-             p[1],
-             p[2],
-             -(sum / f[kW].value)};
+    out.y = {x, z, theta_m_, w, p[0], p[1], p[2], -(sum / f[kW].value)};
     out.p_w_by.fill(Number(0.0));
     out.beta_by.fill(Number(0.0));
     out.turning.fill(Number(0.0));

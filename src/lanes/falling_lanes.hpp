@@ -25,7 +25,14 @@ namespace brachisto::lanes {
 template <class Number>
 struct Bodies {
   Number eta_m, theta_m, k;
+  Number radius;  ///< where a field differs from place to place
 
+  void set(std::size_t lane, const Milestone& at) {
+    eta_m.set(lane, at.eta_m);
+    theta_m.set(lane, at.theta_m);
+    k.set(lane, at.k);
+    radius.set(lane, at.body_radius);
+  }
   /// Nothing is left out for those that are not.
   [[nodiscard]] static constexpr bool off_centred() { return true; }
 };
@@ -48,22 +55,62 @@ template <class Number, class Scalar>
          brachisto::drag(Air{0.0, 1.0}, v) * Scalar(air.quadratic);
 }
 
-/// Bodies in the uniform field of natural units, steered by their slope angles.
-template <class Number, Falling Where>
+/// As Sphere has those of one.
+template <class Number>
+struct Spheres {
+  InPlane<Number> centre;
+  Number radius, surface_gravity;
+};
+
+/// What bodies fall in. Of numbers that Surroundings leave out none means
+/// anything.
+template <class Number>
+struct Worlds {
+  Airs<Number> air;
+  Spheres<Number> sphere;
+  Number field_share;
+  FieldSide side = FieldSide::Outside;
+
+  void set(std::size_t lane, const Milestone& at) {
+    air.linear.set(lane, at.air.linear);
+    air.quadratic.set(lane, at.air.quadratic);
+    sphere.centre.x.set(lane, at.sphere.centre.x);
+    sphere.centre.z.set(lane, at.sphere.centre.z);
+    sphere.radius.set(lane, at.sphere.radius);
+    sphere.surface_gravity.set(lane, at.sphere.surface_gravity);
+    field_share.set(lane, at.field_share);
+  }
+};
+
+/// Bodies steered by their slope angles, in natural units.
+template <class Number, Surroundings In>
 class FallingLanes {
  public:
   static constexpr std::size_t kStates = rolling::Steered::kStates;
-  static constexpr std::size_t kIgnorable = rolling::SteeredFalling::kIgnorable;
+  static constexpr std::size_t kIgnorable =
+      In.field ? 0 : rolling::SteeredFalling::kIgnorable;
   using Point = std::array<Number, kStates + 1>;
 
   /// \param rotation_per_length  dθ/ds of each
-  /// \param air                  means nothing to bodies that fall freely
   FallingLanes(const Bodies<Number>& bodies, const Number& rotation_per_length,
-               const Airs<Number>& air)
-      : bodies_(bodies), rotation_per_length_(rotation_per_length), air_(air) {}
+               const Worlds<Number>& world)
+      : bodies_(bodies),
+        rotation_per_length_(rotation_per_length),
+        world_(world) {}
 
   [[nodiscard]] const Bodies<Number>& bodies() const { return bodies_; }
-  [[nodiscard]] Number gravity() const { return gravity_; }
+  /// Force per mass on bodies, the first states.
+  template <class Scalar, std::size_t Size>
+  [[nodiscard]] Pull<Scalar> pull(const std::array<Scalar, Size>& y) const {
+    if constexpr (In.field) {
+      const auto heavy = place_of_mass(bodies_, y[rolling::kX], y[rolling::kZ],
+                                       y[rolling::kTheta]);
+      return part_of_field(world_.sphere, world_.field_share, world_.side,
+                           gravity_, heavy.x, heavy.z);
+    } else {
+      return {Scalar(0.0), Scalar(gravity_)};
+    }
+  }
   [[nodiscard]] const Number& rotation_per_length() const {
     return rotation_per_length_;
   }
@@ -74,9 +121,18 @@ class FallingLanes {
   template <class Jet>
   [[nodiscard]] ocp::Rates<Jet, kStates> jets(const Point& yu) const {
     auto out = forms().template jets<Jet>(yu);
-    if constexpr (Where == Falling::InAir) {
-      Jet& gain = out.states[rolling::kW];
-      gain = gain - drag(air_, Jet(speed<Jet>(yu[rolling::kW]) / out.cost));
+    Jet& gain = out.states[rolling::kW];
+    if constexpr (In.field) {
+      std::array<Jet, kStates + 1> at;
+      for (std::size_t i = 0; i <= kStates; ++i) at[i] = variable<Jet>(yu, i);
+      const Pull<Jet> G = pull(at);
+      const auto along =
+          way_of_mass(bodies_, at[rolling::kTheta], at[rolling::kBeta]);
+      gain = G.x * along.x + G.z * along.z;
+    }
+    if constexpr (In.air) {
+      gain = gain -
+             drag(world_.air, Jet(variable<Jet>(yu, rolling::kW) / out.cost));
     }
     return out;
   }
@@ -88,9 +144,10 @@ class FallingLanes {
     constexpr double kLastStep = 1e-8;  // its square is below rounding
     const Number last(kLastStep);
     Number at = near;
+    const Pull<Number> G = pull(y);
     auto moving = Number(1.0) > Number(0.0);
     for (int i = 0; i < kMostSteps && any(moving); ++i) {
-      const auto h = by_control(y, at);
+      const auto h = by_control(y, at, G);
       const Number step = -h.first / h.second;
       const auto lost = moving & !(h.second > Number(0.0));
       at = where(moving, Number(at + step), at);
@@ -124,23 +181,25 @@ class FallingLanes {
     return {bodies_, gravity_, rotation_per_length_};
   }
 
-  /// w as a variable.
+  /// One of a point's numbers as a variable.
   template <class Jet>
-  [[nodiscard]] static Jet speed(const Number& w) {
+  [[nodiscard]] static Jet variable(const Point& yu, std::size_t i) {
     if constexpr (std::is_same_v<Jet, Number>) {
-      return w;
+      return yu[i];
     } else {
-      return Jet::variable(w, rolling::kW);
+      return Jet::variable(yu[i], static_cast<int>(i));
     }
   }
   [[nodiscard]] ocp::ByControl<Number> by_control(
-      const std::array<Number, 2 * kStates>& y, const Number& beta) const {
-    auto h = forms().hamiltonian_by_control(y, beta);
-    if constexpr (Where == Falling::InAir) {
+      const std::array<Number, 2 * kStates>& y, const Number& beta,
+      const Pull<Number>& G) const {
+    auto h = In.field ? forms().hamiltonian_by_control(y, beta, G)
+                      : forms().hamiltonian_by_control(y, beta);
+    if constexpr (In.air) {
       using Jet = math::Jet2<Number, 1>;
       const Jet root = root_of_inertia(bodies_, Jet(y[rolling::kTheta]),
                                        Jet::variable(beta, 0));
-      const Jet lost = drag(air_, Jet(Jet(y[rolling::kW]) / root)) *
+      const Jet lost = drag(world_.air, Jet(Jet(y[rolling::kW]) / root)) *
                        Jet(y[kStates + rolling::kW]);
       h.value -= lost.value;
       h.first -= lost.gradient[0];
@@ -152,7 +211,7 @@ class FallingLanes {
   Bodies<Number> bodies_;
   Number gravity_{0.5};  ///< 2 g = 1
   Number rotation_per_length_;
-  Airs<Number> air_;
+  Worlds<Number> world_;
 };
 
 }  // namespace brachisto::lanes

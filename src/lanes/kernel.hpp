@@ -26,11 +26,11 @@ namespace brachisto::lanes {
 
 namespace detail {
 
-template <int Set, std::size_t Count, Falling Where>
+template <int Set, std::size_t Count, Surroundings In>
 class Shooting {
  public:
   using Number = Lane<Set, Count>;
-  using Problem = FallingLanes<Number, Where>;
+  using Problem = FallingLanes<Number, In>;
   using Flow = ocp::Flow<Problem, Number>;
   using State = typename Flow::State;
   using Mask = typename Number::Mask;
@@ -39,6 +39,7 @@ class Shooting {
 
   Shooting(const Targets& targets, const Fineness& fineness)
       : targets_(targets), fineness_(fineness) {
+    world_.side = targets.front().side;
     each([&](std::size_t i, const Target& target) {
       for (std::size_t j = 0; j < kUnknowns; ++j) {
         by_[j].set(i, target.unknowns[j]);
@@ -104,15 +105,12 @@ class Shooting {
   void pass(int step) {
     each([&](std::size_t i, const Target& target) {
       const Milestone& at = target.way[static_cast<std::size_t>(step)];
-      eta_.set(i, at.eta_m);
-      theta_m_.set(i, at.theta_m);
-      k_.set(i, at.k);
+      bodies_.set(i, at);
+      world_.set(i, at);
       radius_.set(i, at.contact_radius);
       turn_.set(i, at.rotation_per_length);
       L_.set(i, at.L);
       H_.set(i, at.H);
-      air_.linear.set(i, at.air.linear);
-      air_.quadratic.set(i, at.air.quadratic);
       start_angle_.set(i, at.start_angle);
       start_speed_.set(i, at.start_speed);
     });
@@ -124,11 +122,11 @@ class Shooting {
   }
 
   [[nodiscard]] Flow flow() const {
-    return Flow(Problem({eta_, theta_m_, k_}, turn_, air_));
+    return Flow(Problem(bodies_, turn_, world_));
   }
 
   [[nodiscard]] Departures<Flow> departures(const Flow& flow) const {
-    return {flow, theta_m_, radius_, start_speed_, start_angle_};
+    return {flow, bodies_.theta_m, radius_, start_speed_, start_angle_};
   }
 
   /// From the start to σ = 1; `on_step(i, stack, control)` sees every step.
@@ -144,15 +142,16 @@ class Shooting {
               start.template stack<Inner>(leaving));
     on_step(0, flow, path.now(), path.rates().inner.control);
     Jacobi<Number> jacobi{Neighbours<Inner>::sign_at_first(path.slope())};
+    const Pull<Number> first = flow.problem().pull(start.y);
     for (int i = 1; i <= steps; ++i) {
       path.step_unchecked(1.0 / steps);
       on_step(i, flow, path.now(), path.rates().inner.control);
       if constexpr (Derivatives) {
-        const auto beside = neighbours<Inner>(flow, path);
+        const auto beside = neighbours<Inner>(flow, path, first);
         if (i > beside.kUnseen * steps) jacobi.see(beside.share());
       }
     }
-    Shot out = arrived<Derivatives, Inner>(flow, path, by, jacobi);
+    Shot out = arrived<Derivatives, Inner>(flow, path, by, jacobi, first);
     out.start_beta = start.beta;
     out.start_beta_by = {start.beta_by[0], start.beta_by[1], start.beta_by[2],
                          Number(0.0)};
@@ -160,21 +159,21 @@ class Shooting {
   }
 
   template <class Inner>
-  using Neighbours =
-      std::conditional_t<Where == Falling::InAir, BrakedNeighbours<Inner>,
-                         FreeNeighbours<Inner>>;
+  using Neighbours = std::conditional_t<In.air, BrakedNeighbours<Inner>,
+                                        FreeNeighbours<Inner>>;
 
   template <class Inner, class Path>
-  [[nodiscard]] auto neighbours(const Flow& flow, const Path& path) const {
+  [[nodiscard]] auto neighbours(const Flow& flow, const Path& path,
+                                const Pull<Number>& first) const {
     const Number& beta = path.rates().inner.control;
-    return Neighbours<Inner>(path.now(), path.slope(), flow.problem(),
+    return Neighbours<Inner>(path.now(), path.slope(), flow.problem(), first,
                              cos(beta), sin(beta));
   }
 
   template <bool Derivatives, class Inner, class Path>
   [[nodiscard]] Shot arrived(const Flow& flow, const Path& path,
-                             const Unknowns& by,
-                             const Jacobi<Number>& jacobi) const {
+                             const Unknowns& by, const Jacobi<Number>& jacobi,
+                             const Pull<Number>& first) const {
     const auto& now = path.now();
     Shot out;
     out.y = Inner::state_of(now);
@@ -212,7 +211,7 @@ class Shooting {
       }
       out.least_jacobian = jacobi.least;
       out.last_jacobian = jacobi.last;
-      out.by_length = neighbours<Inner>(flow, path).by_length(by[3]);
+      out.by_length = neighbours<Inner>(flow, path, first).by_length(by[3]);
     }
     return out;
   }
@@ -235,15 +234,16 @@ class Shooting {
 
   const Targets& targets_;
   const Fineness& fineness_;
-  Number theta_m_, k_, radius_, turn_, L_, H_, eta_, start_angle_, start_speed_;
-  Airs<Number> air_;
+  Bodies<Number> bodies_;
+  Number radius_, turn_, L_, H_, start_angle_, start_speed_;
+  Worlds<Number> world_;
   Unknowns by_;
   Mask good_;
   Number sign_;
 };
 
-template <int Set, std::size_t Count, Falling Where>
-void Shooting<Set, Count, Where>::follow_way() {
+template <int Set, std::size_t Count, Surroundings In>
+void Shooting<Set, Count, In>::follow_way() {
   constexpr double kFarthest = 0.5;  // of a prediction from the branch
   constexpr double kNear = 5e-3;     // the next step would be its square
   constexpr int kMostSteps = 4;
@@ -281,8 +281,8 @@ void Shooting<Set, Count, Where>::follow_way() {
   }
 }
 
-template <int Set, std::size_t Count, Falling Where>
-void Shooting<Set, Count, Where>::finish(Extremals& out) {
+template <int Set, std::size_t Count, Surroundings In>
+void Shooting<Set, Count, In>::finish(Extremals& out) {
   constexpr double kUlp = std::numeric_limits<double>::epsilon();
   constexpr double kClosed = 1e-10;
   constexpr int kMostSteps = 5;
@@ -324,10 +324,9 @@ void Shooting<Set, Count, Where>::finish(Extremals& out) {
   }
 
   // Once to take up what doubled steps change, once for the path.
-  constexpr bool kBraked = Where == Falling::InAir;
-  const Shot first = shoot<kBraked>(by_, steps, kIgnore, Leaving::Held);
-  const Shot& finest = kBraked ? first : whole;
-  if constexpr (kBraked) {
+  const Shot first = shoot<In.air>(by_, steps, kIgnore, Leaving::Held);
+  const Shot& finest = In.air ? first : whole;
+  if constexpr (In.air) {
     // The determinant goes as the drag squared: it is seen where doubled steps
     // change little of it, and it is more than rounding.
     constexpr double kSeen = 0.1;
@@ -366,6 +365,8 @@ void Shooting<Set, Count, Where>::finish(Extremals& out) {
               .z = y[kZ][lane],
               .theta = y[kTheta][lane],
               .w = y[kW][lane],
+              .p_x = y[kPX][lane],
+              .p_z = y[kPZ][lane],
               .p_theta = y[kPTheta][lane],
               .p_w = y[kPW][lane],
               .beta = beta[lane],
@@ -419,26 +420,24 @@ void Shooting<Set, Count, Where>::finish(Extremals& out) {
 
 }  // namespace detail
 
-template <Instructions Set, std::size_t Count, Falling Where>
-void Kernel<Set, Count, Where>::shoot(const Targets& targets,
-                                      const Fineness& fineness,
-                                      Extremals& out) {
-  detail::Shooting<static_cast<int>(Set), Count, Where>(targets, fineness)
+template <Instructions Set, std::size_t Count, Surroundings In>
+void Kernel<Set, Count, In>::shoot(const Targets& targets,
+                                   const Fineness& fineness, Extremals& out) {
+  detail::Shooting<static_cast<int>(Set), Count, In>(targets, fineness)
       .run(out);
 }
 
-template <Instructions Set, std::size_t Count, Falling Where>
-void Kernel<Set, Count, Where>::land(const Targets& targets,
-                                     const Fineness& fineness, Landings& out) {
-  detail::Shooting<static_cast<int>(Set), Count, Where>(targets, fineness)
+template <Instructions Set, std::size_t Count, Surroundings In>
+void Kernel<Set, Count, In>::land(const Targets& targets,
+                                  const Fineness& fineness, Landings& out) {
+  detail::Shooting<static_cast<int>(Set), Count, In>(targets, fineness)
       .land(out);
 }
 
-template <Instructions Set, std::size_t Count, Falling Where>
-void Kernel<Set, Count, Where>::respond(const Targets& targets,
-                                        const Fineness& fineness,
-                                        Responses& out) {
-  detail::Shooting<static_cast<int>(Set), Count, Where>(targets, fineness)
+template <Instructions Set, std::size_t Count, Surroundings In>
+void Kernel<Set, Count, In>::respond(const Targets& targets,
+                                     const Fineness& fineness, Responses& out) {
+  detail::Shooting<static_cast<int>(Set), Count, In>(targets, fineness)
       .respond(out);
 }
 

@@ -5,7 +5,7 @@
 
 namespace brachisto::lanes {
 
-template struct Kernel<Instructions::Avx512, kLanes, Falling::Free>;
-template struct Kernel<Instructions::Avx512, kLanes, Falling::InAir>;
+template struct Kernel<Instructions::Avx512, kLanes, Surroundings{}>;
+template struct Kernel<Instructions::Avx512, kLanes, Surroundings{.air = true}>;
 
 }  // namespace brachisto::lanes

@@ -5,9 +5,11 @@
 
 namespace brachisto::lanes {
 
-template struct Kernel<Instructions::Baseline, kLanes, Falling::Free>;
-template struct Kernel<Instructions::Baseline, kLanes, Falling::InAir>;
-template struct Kernel<Instructions::Baseline, kFewLanes, Falling::Free>;
-template struct Kernel<Instructions::Baseline, kFewLanes, Falling::InAir>;
+template struct Kernel<Instructions::Baseline, kLanes, Surroundings{}>;
+template struct Kernel<Instructions::Baseline, kLanes,
+                       Surroundings{.air = true}>;
+template struct Kernel<Instructions::Baseline, kFewLanes, Surroundings{}>;
+template struct Kernel<Instructions::Baseline, kFewLanes,
+                       Surroundings{.air = true}>;
 
 }  // namespace brachisto::lanes

@@ -17,8 +17,11 @@ namespace brachisto::lanes {
 /// The most steps on the way to a scene that there is room for.
 inline constexpr int kMostOnTheWay = kFine.offsets + kFine.into_world;
 
-/// What the rates of a body are made of.
-enum class Falling { Free, InAir };
+/// What takes part in the rates of bodies, beside their fall in the uniform
+/// field from rest or pushed.
+struct Surroundings {
+  bool air = false, field = false;
+};
 
 /// A scene as shooting has it, in natural units.
 struct Milestone {
@@ -29,6 +32,10 @@ struct Milestone {
   double start_angle = 0.0;  ///< from rest
   double start_speed = 0.0;
   Air air;
+  // Of a field in place of the uniform one, and how much of it there is.
+  double body_radius = 0.0;
+  Sphere sphere;
+  double field_share = 1.0;
 };
 /// What is shot for, from one that is known.
 struct Target {
@@ -37,6 +44,8 @@ struct Target {
   /// Of the extremal before the first step.
   std::array<double, Extremal::kUnknowns> unknowns{};
   double sign = 0.0;  ///< see Extremal; 0: that of the first step
+  /// Whose law the field has, the same for all that are shot together.
+  FieldSide side = FieldSide::Outside;
 };
 using Targets = std::array<Target, kLanes>;
 using Extremals = std::array<Extremal, kLanes>;
@@ -45,7 +54,7 @@ using Responses = std::array<Response, kLanes>;
 
 /// The first so many of eight scenes with one set of instructions. Its
 /// functions are not inline: those who call them must not compile them too.
-template <Instructions Set, std::size_t Count, Falling Where>
+template <Instructions Set, std::size_t Count, Surroundings In>
 struct Kernel {
   static void shoot(const Targets& targets, const Fineness& fineness,
                     Extremals& out);

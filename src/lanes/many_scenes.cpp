@@ -13,6 +13,7 @@
 #include "extremal/shooting.hpp"
 #include "lanes/kernels.hpp"
 #include "model/contact.hpp"
+#include "model/field.hpp"
 #include "model/scene_coordinate.hpp"
 #include "model/start_angle.hpp"
 #include "model/units.hpp"
@@ -21,6 +22,25 @@
 namespace brachisto::lanes {
 
 namespace {
+
+/// The law of a field with a kink that a path which stays on one side of it
+/// has: with the body above A, and as it stands there above B.
+FieldSide side_of(const Scene& natural) {
+  const Point start = start_of_centre(natural);
+  const double sum =
+      height_above_surface(natural, start) +
+      height_above_surface(natural, {natural.L + start.x, natural.H + start.z});
+  return sum > 0.0 ? FieldSide::Outside : FieldSide::Inside;
+}
+
+/// The slope that a body has which is left at rest, whatever another start was
+/// built from.
+double slope_from_rest(const Scene& natural) {
+  if (!natural.world.field_varies()) return start_angle(natural.body);
+  Scene resting = natural;
+  resting.world.start_slope.reset();
+  return start_angle(resting);
+}
 
 Milestone milestone(const Scene& natural) {
   const Body& body = natural.body;
@@ -31,20 +51,24 @@ Milestone milestone(const Scene& natural) {
           .rotation_per_length = arcs::rotation_per_length(natural),
           .L = natural.L,
           .H = natural.H,
-          .start_angle = start_angle(body),
+          .start_angle = slope_from_rest(natural),
           .start_speed = natural.world.start_speed,
-          .air = natural.world.air};
+          .air = natural.world.air,
+          .body_radius = body.radius,
+          .sphere = natural.world.sphere.value_or(Sphere()),
+          .field_share = natural.world.field_share};
 }
 
 /// From the cycloid.
 /// \return nothing where there is none
 bool aim(const Scene& natural, const Fineness& fineness, Target& out) {
-  Scene on_the_way = in_ordinary_world(natural);
+  Scene on_the_way = part_of_world(natural, 0.0);
   const ExtremalGuess cycloid = cycloid_guess(on_the_way);
   if (!cycloid.state) return false;
   const ExtremalState start = cycloid.state(0.0);
   out.unknowns = {start.p_x, start.p_z, 0.0, cycloid.rolling_time};
   out.sign = 0.0;
+  out.side = natural.world.side.value_or(FieldSide::Outside);
   auto next = out.way.begin();
   for (int i = 0; i <= fineness.offsets; ++i) {
     on_the_way.body.eta_m = natural.body.eta_m * i / fineness.offsets;
@@ -64,6 +88,7 @@ Target aim_beside(const Scene& natural, Scene from, const Extremal& known,
   Target out;
   out.unknowns = known.unknowns;
   out.sign = known.sign;
+  out.side = natural.world.side.value_or(FieldSide::Outside);
   out.steps = offsets;
   // The same direction of the offset may be another angle.
   from.body.theta_m = natural.body.theta_m -
@@ -79,25 +104,25 @@ Target aim_beside(const Scene& natural, Scene from, const Extremal& known,
 }
 
 /// Calls run(kernel) with the one for so many scenes.
-template <Falling Where>
+template <Surroundings In>
 void with_kernel(std::size_t count, [[maybe_unused]] Instructions instructions,
                  auto&& run) {
   if (count <= kFewLanes) {
-    return run(Kernel<Instructions::Baseline, kFewLanes, Where>());
+    return run(Kernel<Instructions::Baseline, kFewLanes, In>());
   }
 #if defined(__x86_64__)
   if (instructions == Instructions::Avx512) {
-    return run(Kernel<Instructions::Avx512, kLanes, Where>());
+    return run(Kernel<Instructions::Avx512, kLanes, In>());
   }
   if (instructions == Instructions::Avx2) {
-    return run(Kernel<Instructions::Avx2, kLanes, Where>());
+    return run(Kernel<Instructions::Avx2, kLanes, In>());
   }
 #endif
-  run(Kernel<Instructions::Baseline, kLanes, Where>());
+  run(Kernel<Instructions::Baseline, kLanes, In>());
 }
 
 /// Does with eight targets at a time what a kernel can.
-template <Falling Where, class Out>
+template <Surroundings In, class Out>
 void in_eights(std::span<const std::size_t> places, Instructions instructions,
                auto&& aim_at, auto&& run, std::vector<Out>& out) {
   Targets targets;
@@ -116,45 +141,81 @@ void in_eights(std::span<const std::size_t> places, Instructions instructions,
     for (std::size_t i = 0; i < kLanes; ++i) {
       if (!aimed[i]) targets[i] = targets[some];
     }
-    with_kernel<Where>(here.size(), instructions,
-                       [&](auto kernel) { run(kernel, targets, *eight); });
+    with_kernel<In>(here.size(), instructions,
+                    [&](auto kernel) { run(kernel, targets, *eight); });
     for (std::size_t i = 0; i < here.size(); ++i) {
       if (aimed[i]) out[here[i]] = (*eight)[i];
     }
   }
 }
-/// Those that fall freely, are pushed or are in air, each kind apart: what a
-/// scene is worked out by does not depend on which stand beside it.
+/// Those from rest or pushed, in air or not, and by their field, each kind
+/// apart: what a scene is worked out by does not depend on which stand beside
+/// it.
 template <class Out>
 std::vector<Out> in_eights(std::span<const Scene> scenes,
                            Instructions instructions, auto&& aim_at,
                            auto&& run) {
   std::vector<Out> out(scenes.size());
-  std::array<std::vector<std::size_t>, 4> places;
+  constexpr std::size_t kPushed = 1, kInAir = 2, kOutside = 4, kInside = 8;
+  std::array<std::vector<std::size_t>, 12> places;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     const World& world = scenes[i].world;
-    places[(world.air.any() ? 2 : 0) + (world.start_speed > 0.0 ? 1 : 0)]
-        .push_back(i);
+    std::size_t kind = 0;
+    if (world.start_speed > 0.0) kind |= kPushed;
+    if (world.air.any()) kind |= kInAir;
+    if (world.field_varies()) {
+      kind |= world.side == FieldSide::Inside ? kInside : kOutside;
+    }
+    places[kind].push_back(i);
   }
-  for (const std::size_t left : {0, 1}) {
-    in_eights<Falling::Free>(places[left], instructions, aim_at, run, out);
-    in_eights<Falling::InAir>(places[2 + left], instructions, aim_at, run, out);
+  const auto shoot_all = [&]<Surroundings In>(std::size_t kind) {
+    for (const std::size_t left : {kind, kind | kPushed}) {
+      in_eights<In>(places[left], instructions, aim_at, run, out);
+    }
+  };
+  shoot_all.template operator()<Surroundings{}>(0);
+  shoot_all.template operator()<Surroundings{.air = true}>(kInAir);
+  for (const std::size_t side : {kOutside, kInside}) {
+    shoot_all.template operator()<Surroundings{.field = true}>(side);
+    shoot_all.template operator()<Surroundings{.air = true, .field = true}>(
+        side | kInAir);
   }
   return out;
 }
 
-/// \return nothing where it is not one of those that are solved side by side
-std::optional<Scene> as_shot_for(const Scene& scene) {
-  const Scene natural = in_natural_units(without_whole_turns(scene));
-  return fits(natural) ? std::optional(natural) : std::nullopt;
+Scene as_shot_for(const Scene& scene) {
+  Scene natural = in_natural_units(without_whole_turns(scene));
+  if (has_surface(natural.world)) natural.world.side = side_of(natural);
+  return natural;
+}
+std::vector<Scene> as_shot_for(std::span<const Scene> scenes) {
+  std::vector<Scene> out;
+  for (const Scene& scene : scenes) out.push_back(as_shot_for(scene));
+  return out;
+}
+
+/// Whether the law of the field is right for it everywhere.
+bool keeps_its_side(const Scene& natural, const Extremal& extremal) {
+  for (int i = 0; i <= extremal.places && natural.world.side; ++i) {
+    const Place& at = extremal.path[static_cast<std::size_t>(i)];
+    const double beyond = beyond_surface(natural, at.x, at.z, at.theta);
+    if (!(beyond <= kBeyondSurface)) return false;
+  }
+  return true;
 }
 
 }  // namespace
 
+double beyond_surface(const Scene& natural, double x, double z, double theta) {
+  if (!natural.world.side) return 0.0;
+  const double height = height_of_mass(natural, x, z, theta);
+  return natural.world.side == FieldSide::Outside ? -height : height;
+}
+
 bool fits(const Scene& scene) {
   const World& world = scene.world;
-  return scene.body.rolls() && !world.field_varies() && !world.losses.any() &&
-         !scene.limits.any() && scene.path == nullptr &&
+  return scene.body.rolls() && (!world.field_varies() || world.sphere) &&
+         !world.losses.any() && !scene.limits.any() && scene.path == nullptr &&
          (scene.contact == Contact::Smooth || scene.contact == Contact::Centre);
 }
 
@@ -166,35 +227,48 @@ Instructions best_instructions() {
   return Instructions::Baseline;
 }
 
-std::vector<Extremal> shoot(std::span<const Scene> scenes,
-                            const Fineness& fineness,
-                            Instructions instructions) {
-  return in_eights<Extremal>(
-      scenes, instructions,
+namespace {
+
+std::vector<Extremal> shot(std::span<const Scene> natural,
+                           const Fineness& fineness, Instructions instructions,
+                           auto&& aim_at) {
+  std::vector<Extremal> out = in_eights<Extremal>(
+      natural, instructions,
       [&](std::size_t i, Target& target) {
-        const std::optional<Scene> natural = as_shot_for(scenes[i]);
-        return natural && aim(*natural, fineness, target);
+        return fits(natural[i]) && aim_at(i, target);
       },
       [&](auto kernel, const Targets& targets, Extremals& eight) {
         kernel.shoot(targets, fineness, eight);
       });
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    out[i].side = natural[i].world.side;
+    out[i].found = out[i].found && keeps_its_side(natural[i], out[i]);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<Extremal> shoot(std::span<const Scene> scenes,
+                            const Fineness& fineness,
+                            Instructions instructions) {
+  const std::vector<Scene> natural = as_shot_for(scenes);
+  return shot(natural, fineness, instructions,
+              [&](std::size_t i, Target& target) {
+                return aim(natural[i], fineness, target);
+              });
 }
 
 std::vector<Extremal> shoot_beside(std::span<const Scene> scenes,
                                    const Scene& from, const Extremal& known,
                                    const Fineness& fineness,
                                    Instructions instructions) {
-  const Scene before = in_natural_units(without_whole_turns(from));
-  return in_eights<Extremal>(
-      scenes, instructions,
-      [&](std::size_t i, Target& target) {
-        const std::optional<Scene> natural = as_shot_for(scenes[i]);
-        if (!natural) return false;
-        target = aim_beside(*natural, before, known, fineness.offsets);
+  const std::vector<Scene> natural = as_shot_for(scenes);
+  const Scene before = as_shot_for(from);
+  return shot(
+      natural, fineness, instructions, [&](std::size_t i, Target& target) {
+        target = aim_beside(natural[i], before, known, fineness.offsets);
         return true;
-      },
-      [&](auto kernel, const Targets& targets, Extremals& eight) {
-        kernel.shoot(targets, fineness, eight);
       });
 }
 

@@ -5,13 +5,14 @@
 /// Many free scenes at once: indirect shooting with eight scenes side by side.
 ///
 /// Each scene is continued from its own cycloid, η = 0, to its η_m and then
-/// into its air or its push, as one alone is, and looks at no other: its digits
-/// do not depend on which scenes stand beside it, nor on the processor.
+/// into its world, as one alone is, and looks at no other: its digits do not
+/// depend on which scenes stand beside it, nor on the processor.
 
 #pragma once
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,7 +23,7 @@ namespace brachisto::lanes {
 /// A place of an extremal, in natural units.
 struct Place {
   double x = 0.0, z = 0.0, theta = 0.0, w = 0.0;
-  double p_theta = 0.0, p_w = 0.0;
+  double p_x = 0.0, p_z = 0.0, p_theta = 0.0, p_w = 0.0;
   double beta = 0.0;       ///< slope angle [rad]
   double beta_rate = 0.0;  ///< dβ/du
   double t = 0.0;          ///< time
@@ -31,6 +32,15 @@ struct Place {
 
 /// The most steps of the path that is kept.
 inline constexpr int kMostPlaces = 128;
+
+/// Where a field has a kink on a surface, so far beyond it a path may be that
+/// has the law of one side, in natural units: what that is off by in energy is
+/// the square of it.
+inline constexpr double kBeyondSurface = 1e-9;
+/// How far a place is on the side whose law a scene does not have; nothing in
+/// a field without a kink.
+[[nodiscard]] double beyond_surface(const Scene& natural, double x, double z,
+                                    double theta);
 
 /// An extremal with smooth contacts, in natural units.
 struct Extremal {
@@ -47,6 +57,8 @@ struct Extremal {
   /// ∂²T/∂S² of the least time to B by paths of given length, and the least
   /// Jacobi determinant as a share of its size: a minimum has both positive.
   double by_length = 0.0, least_jacobian = 0.0;
+  /// Whose law of a field with a kink it has, and is on.
+  std::optional<FieldSide> side;
   int places = 0;                           ///< steps of the path
   std::array<Place, kMostPlaces + 1> path;  ///< at u = i U/places
   /// p_x, p_z, p_θ at the start, and U.
@@ -55,8 +67,10 @@ struct Extremal {
   /// branch.
   double sign = 0.0;
 
-  [[nodiscard]] double p_x() const { return unknowns[0]; }
-  [[nodiscard]] double p_z() const { return unknowns[1]; }
+  [[nodiscard]] const Place& start() const { return path.front(); }
+  [[nodiscard]] const Place& end() const {
+    return path[static_cast<std::size_t>(places)];
+  }
   [[nodiscard]] double rolling_time() const { return unknowns[3]; }
 };
 
@@ -71,8 +85,9 @@ struct Landing {
 using Response = std::array<Landing, Extremal::kUnknowns>;
 
 /// Whether such a scene is one of those that are solved side by side: an
-/// off-centred cylinder or ball in the uniform field, in air or not, from rest
-/// or pushed, without losses, limits and a path of its own.
+/// off-centred cylinder or ball in the uniform field or that of a sphere, in
+/// air or not, from rest or pushed, without losses, limits and a path of its
+/// own.
 [[nodiscard]] bool fits(const Scene& scene);
 
 /// Sets of instructions that there is code for.
@@ -86,11 +101,11 @@ struct Fineness {
   int on_the_way;      ///< steps of the integration there
   int places;          ///< steps of the path that is kept, at the end
   int within;          ///< and of the integration for each of them
-  int into_world = 0;  ///< and then into air or a push, if there is one
+  int into_world = 0;  ///< and then into its world, unless it is ordinary
 };
 /// Enough for three scenes of four, and for most of the others.
 inline constexpr Fineness kPlain{8, 10, kMostPlaces / 2, 1, 4},
-    kFine{16, 20, kMostPlaces, 1, 8};
+    kFine{16, 20, kMostPlaces, 1, 16};
 
 /// The principal extremal of each scene.
 /// \pre fits() and validate() is empty of all

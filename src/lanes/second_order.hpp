@@ -15,13 +15,16 @@
 #include <cstddef>
 #include <limits>
 
+#include "model/field_formulas.hpp"
+
 namespace brachisto::lanes::detail {
 
 enum : std::size_t { kX, kZ, kTheta, kW, kPX, kPZ, kPTheta, kPW };
 
 /// Without losses: by length the states are x and z alone. Their derivatives by
-/// two costates at the start, those by p_x and p_θ, at the same θ. A third
-/// would belong to the gauge, p + μ ∇(w²/2 − g E), which changes nothing.
+/// two costates at the start, those by p across the pull G there and by p_θ, at
+/// the same θ. A third would belong to the gauge, p + μ ∇(w²/2 + Φ), ∇Φ = −G,
+/// which changes nothing.
 template <class Rates>
 class FreeNeighbours {
  public:
@@ -39,19 +42,23 @@ class FreeNeighbours {
 
   /// \param slope    by how much a stack changes with u or with a share of it
   /// \param problem  FallingLanes
+  /// \param first    the pull at the start
   FreeNeighbours(const Stack& at, const Stack& slope, const auto& problem,
-                 const Number& c, const Number& s)
+                 const Pull<Number>& first, const Number& c, const Number& s)
       : at_(at),
         slope_(slope),
         turn_(problem.rotation_per_length()),
         c_(c),
         s_(s) {
-    weight_ = problem.gravity() * problem.bodies().eta_m;
+    const Number size = sqrt(first.x * first.x + first.z * first.z);
+    across_ = {first.z / size, -(first.x / size)};
+    const Pull<Number> G = problem.pull(at);
+    weight_ = (G.z * cos(at[kTheta]) - G.x * sin(at[kTheta])) *
+              problem.bodies().eta_m / turn_;
     for (std::size_t j = 0; j < 2; ++j) {
-      const std::size_t by = j == 0 ? kPX : kPTheta;
-      const Number length = Rates::derivative(at, kTheta, by) / turn_;
-      x_[j] = Rates::derivative(at, kX, by) - c * length;
-      z_[j] = Rates::derivative(at, kZ, by) - s * length;
+      const Number length = derivative(kTheta, j) / turn_;
+      x_[j] = derivative(kX, j) - c * length;
+      z_[j] = derivative(kZ, j) - s * length;
     }
   }
   [[nodiscard]] Number determinant() const {
@@ -66,23 +73,21 @@ class FreeNeighbours {
   }
 
   /// ∂²T/∂S² with x and z held, of the least time by a path of length S:
-  /// ∂T/∂S = −P_θ/r with P_θ = p_θ + p_w g r η cos θ/w, the costate with the
-  /// gauge in which p_w = 0.
+  /// ∂T/∂S = −P_θ/r with P_θ = p_θ + p_w r η G·(−sin θ, cos θ)/w, the costate
+  /// with the gauge in which p_w = 0, as it is at B.
   ///
   /// \param U  what the slope is multiplied with
   [[nodiscard]] Number by_length(const Number& U) const {
     const Number& w = at_[kW];
-    const Number weight = weight_ * cos(at_[kTheta]) / (turn_ * w);
+    const Number weight = weight_ / w;
     const auto gauged = [&](const Number& p_theta, const Number& p_w) {
       return p_theta + weight * p_w;
     };
     const Number along = gauged(slope_[kPTheta] / U, slope_[kPW] / U) / w;
     std::array<Number, 2> across;
     for (std::size_t j = 0; j < 2; ++j) {
-      const std::size_t by = j == 0 ? kPX : kPTheta;
-      across[j] = gauged(Rates::derivative(at_, kPTheta, by),
-                         Rates::derivative(at_, kPW, by)) -
-                  along * (Rates::derivative(at_, kTheta, by) / turn_);
+      across[j] = gauged(derivative(kPTheta, j), derivative(kPW, j)) -
+                  along * (derivative(kTheta, j) / turn_);
     }
     // a (x, z)_1 + b (x, z)_2 = −(c, s): the ends stay where they are.
     const Number det = determinant();
@@ -92,13 +97,24 @@ class FreeNeighbours {
   }
 
  private:
+  /// Of a component, by p across the pull or by p_θ.
+  [[nodiscard]] Number derivative(std::size_t i, std::size_t j) const {
+    const auto by = [&](std::size_t costate) {
+      return Rates::derivative(at_, i, costate);
+    };
+    return j == 0 ? Number(by(kPX) * across_.x + by(kPZ) * across_.z)
+                  : by(kPTheta);
+  }
+
   const Stack &at_, &slope_;
-  Number turn_, c_, s_, weight_;
+  Number turn_, c_, s_;
+  InPlane<Number> across_;
+  Number weight_;
   std::array<Number, 2> x_, z_;
 };
 
 /// In air w is a state of its own. In its place stands the energy that was
-/// lost, g E − w²/2, of which nothing cancels where little is.
+/// lost, −Φ − w²/2, of which nothing cancels where little is.
 template <class Rates>
 class BrakedNeighbours {
  public:
@@ -118,13 +134,16 @@ class BrakedNeighbours {
   }
 
   BrakedNeighbours(const Stack& at, const Stack& slope, const auto& problem,
-                   const Number& c, const Number& s)
+                   const Pull<Number>&, const Number& c, const Number& s)
       : w_(at[kW]), turn_(problem.rotation_per_length()) {
-    const Number g = problem.gravity();
+    const Pull<Number> G = problem.pull(at);
+    const auto fall = [&](const Number& x, const Number& z) {
+      return G.x * x + G.z * z;
+    };
     const auto along = [&](std::size_t i) {
       return slope[i] / slope[kTheta] * turn_;
     };
-    along_ = {c, s, g * s - w_ * along(kW)};
+    along_ = {c, s, fall(c, s) - w_ * along(kW)};
     p_w_along_ = along(kPW);
     p_theta_along_ = along(kPTheta);
     for (std::size_t j = 0; j < 3; ++j) {
@@ -135,7 +154,7 @@ class BrakedNeighbours {
       };
       x_[j] = held(kX, c);
       z_[j] = held(kZ, s);
-      lost_[j] = g * z_[j] - w_ * held(kW, along(kW));
+      lost_[j] = fall(x_[j], z_[j]) - w_ * held(kW, along(kW));
       p_w_[j] = held(kPW, p_w_along_);
       p_theta_[j] = held(kPTheta, p_theta_along_);
     }

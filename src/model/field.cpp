@@ -3,6 +3,8 @@
 
 #include "model/field.hpp"
 
+#include "model/energy.hpp"
+
 namespace brachisto {
 
 double Sphere::strength_at(Point place) const {
@@ -25,6 +27,18 @@ double potential_fall(const Scene& scene, Point from, Point to, Point by) {
         return std::lerp(uniform, fields::potential_fall(field, from, to, by),
                          world.field_share);
       });
+}
+
+double work_of_field(const Scene& scene, Point start, Point offset,
+                     double theta) {
+  const Body& body = scene.body;
+  // The way of the centre of mass, r η (cos θ − cos θ_m) as a product.
+  const double half = 0.5 * (theta - body.theta_m);
+  const Point by{offset.x - 2.0 * body.radius * body.eta_m * std::sin(half) *
+                                std::sin(half + body.theta_m),
+                 energy_height(body, offset.z, theta)};
+  const Point from = mass_centre(body, start, body.theta_m);
+  return potential_fall(scene, from, {from.x + by.x, from.z + by.z}, by);
 }
 
 }  // namespace brachisto

@@ -48,6 +48,16 @@ template <class Scalar>
   return height_above_surface(scene, place.x, place.z);
 }
 
+/// So much of a field, the rest being uniform.
+template <class AnyField, class Share, class Side, class Number, class Scalar>
+[[nodiscard]] Pull<Scalar> part_of_field(const AnyField& field,
+                                         const Share& share, const Side& side,
+                                         const Number& gravity, const Scalar& x,
+                                         const Scalar& z) {
+  const auto pull = fields::pull(field, share, side, x, z);
+  return {pull.x, pull.z + Scalar((1.0 - share) * gravity)};
+}
+
 /// Force per mass of the field at a place: (0, g), or that of the field that
 /// stands in its place.
 template <class Scalar>
@@ -59,9 +69,8 @@ template <class Scalar>
         return {Scalar(0.0), Scalar(scene.gravity)};
       },
       [&](const auto& field) -> Pull<Scalar> {
-        const double share = world.field_share;
-        const auto pull = fields::pull(field, share, world.side, x, z);
-        return {pull.x, pull.z + Scalar((1.0 - share) * scene.gravity)};
+        return part_of_field(field, world.field_share, world.side,
+                             scene.gravity, x, z);
       });
 }
 
@@ -99,38 +108,49 @@ template <class Scalar>
   return potential_fall(scene, from, to, {to.x - from.x, to.z - from.z});
 }
 
+/// The centre of mass of a body, or of several side by side, eqs. (2)–(3).
+template <class AnyBody, class Scalar>
+[[nodiscard]] InPlane<Scalar> place_of_mass(const AnyBody& body,
+                                            const Scalar& x, const Scalar& z,
+                                            const Scalar& theta) {
+  using std::cos;
+  using std::sin;
+  using Constant = math::ConstantOf<Scalar>;
+  const Constant r_m = Constant(body.radius) * body.eta_m;
+  return {x + cos(theta) * r_m, z + sin(theta) * r_m};
+}
+
 /// How far the centre of mass is beyond the surface of the field.
 template <class Scalar>
 [[nodiscard]] Scalar height_of_mass(const Scene& scene, const Scalar& x,
                                     const Scalar& z, const Scalar& theta) {
-  using std::cos;
-  using std::sin;
-  using Constant = math::ConstantOf<Scalar>;
-  const Constant r_m = Constant(scene.body.radius) * scene.body.eta_m;
-  return height_above_surface(scene, Scalar(x + cos(theta) * r_m),
-                              Scalar(z + sin(theta) * r_m));
+  const auto heavy = place_of_mass(scene.body, x, z, theta);
+  return height_above_surface(scene, heavy.x, heavy.z);
 }
 
-/// The centre of mass, eqs. (2)–(3).
+/// The same as a point.
 [[nodiscard]] inline Point mass_centre(const Body& body, Point centre,
                                        double theta) {
-  const double r_m = body.radius * body.eta_m;
-  return {centre.x + r_m * std::cos(theta), centre.z + r_m * std::sin(theta)};
+  const auto heavy = place_of_mass(body, centre.x, centre.z, theta);
+  return {heavy.x, heavy.z};
 }
+
+/// What the field gives from the start until the centre is off by `offset` and
+/// the body turned to θ, per mass [m²/s²].
+///
+/// \param start  of the centre
+[[nodiscard]] double work_of_field(const Scene& scene, Point start,
+                                   Point offset, double theta);
 
 /// The field there.
 template <class Scalar>
 [[nodiscard]] Pull<Scalar> pull_on(const Scene& scene, const Scalar& x,
                                    const Scalar& z, const Scalar& theta) {
-  using std::cos;
-  using std::sin;
   if (!scene.body.off_centred() || !scene.world.field_varies()) {
     return field_at(scene, x, z);
   }
-  using Constant = math::ConstantOf<Scalar>;
-  const Constant r_m = Constant(scene.body.radius) * scene.body.eta_m;
-  return field_at(scene, Scalar(x + cos(theta) * r_m),
-                  Scalar(z + sin(theta) * r_m));
+  const auto heavy = place_of_mass(scene.body, x, z, theta);
+  return field_at(scene, heavy.x, heavy.z);
 }
 
 /// G·(cosine, sine) of that field, with one product where it is uniform.
@@ -149,22 +169,29 @@ template <class Scalar>
   return v * (v * air.quadratic + Scalar(air.linear));
 }
 
-/// What the field adds to dw/du:
+/// Where the centre of mass goes as the centre goes by 1,
 ///
-///     G·(cos β − η sin θ, sin β + η cos θ).
+///     (cos β − η sin θ, sin β + η cos θ).
+template <class AnyBody, class Scalar>
+[[nodiscard, gnu::always_inline]] inline InPlane<Scalar> way_of_mass(
+    const AnyBody& body, const Scalar& theta, const Scalar& beta) {
+  using std::cos;
+  using std::sin;
+  InPlane<Scalar> along{cos(beta), sin(beta)};
+  if (body.off_centred()) {
+    along.x = along.x - sin(theta) * body.eta_m;
+    along.z = along.z + cos(theta) * body.eta_m;
+  }
+  return along;
+}
+
+/// What the field adds to dw/du, G·way_of_mass().
 template <class Scalar>
 [[nodiscard, gnu::always_inline]] inline Scalar field_gain(
     const Scene& scene, const Pull<Scalar>& G, const Scalar& theta,
     const Scalar& beta) {
-  using std::cos;
-  using std::sin;
-  const Body& body = scene.body;
-  Scalar along_x = cos(beta), along_z = sin(beta);
-  if (body.off_centred()) {
-    along_x = along_x - sin(theta) * body.eta_m;
-    along_z = along_z + cos(theta) * body.eta_m;
-  }
-  return pull_along(scene, G, along_x, along_z);
+  const auto along = way_of_mass(scene.body, theta, beta);
+  return pull_along(scene, G, along.x, along.z);
 }
 
 /// dw/du without losses, from the work of the field G at the centre of mass and

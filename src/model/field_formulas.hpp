@@ -20,17 +20,21 @@
 
 #include <cmath>
 #include <optional>
+#include <type_traits>
 
 #include "brachisto/model/world.hpp"
 #include "math/constant_of.hpp"
 
 namespace brachisto {
 
-/// A force per mass.
+/// A place or a direction.
 template <class Scalar>
-struct Pull {
+struct InPlane {
   Scalar x, z;
 };
+/// A force per mass.
+template <class Scalar>
+using Pull = InPlane<Scalar>;
 
 /// The number in a jet.
 template <class Scalar>
@@ -56,10 +60,15 @@ namespace fields {
 /// the distance d,
 ///
 ///     g_s d/R inside,  g_s (R/d)² outside.
-template <class Scalar>
-[[nodiscard]] Pull<Scalar> pull(const Sphere& sphere, double share,
-                                const std::optional<FieldSide>& side,
-                                const Scalar& x, const Scalar& z) {
+///
+/// \tparam AnySphere  Sphere, or the numbers of several side by side
+/// \tparam Share      double, or those of several
+/// \tparam Side       FieldSide, or std::optional of it: nothing: that of the
+///                    place
+template <class AnySphere, class Share, class Side, class Scalar>
+[[nodiscard]] Pull<Scalar> pull(const AnySphere& sphere, const Share& share,
+                                const Side& side, const Scalar& x,
+                                const Scalar& z) {
   using std::sqrt;
   using Constant = math::ConstantOf<Scalar>;
   const Constant R(sphere.radius);
@@ -71,11 +80,18 @@ template <class Scalar>
   const auto outside = [&]() -> Scalar {
     return Scalar(-at_surface * R * R * R) / (square * sqrt(square));
   };
-  const Scalar per_length =
-      !side
-          ? where_above(square, sphere.radius * sphere.radius, outside, inside)
-      : *side == FieldSide::Outside ? outside()
-                                    : inside();
+  const auto by_law = [&](FieldSide law) {
+    return law == FieldSide::Outside ? outside() : inside();
+  };
+  const Scalar per_length = [&] {
+    if constexpr (std::is_same_v<Side, FieldSide>) {
+      return by_law(side);
+    } else {
+      return side ? by_law(*side)
+                  : where_above(square, sphere.radius * sphere.radius, outside,
+                                inside);
+    }
+  }();
   return {dx * per_length, dz * per_length};
 }
 

@@ -43,6 +43,9 @@ constexpr CheckText kTexts[] = {
     {"turning_costate",
      "in a field about a centre, the quantity that turning about it "
      "conserves"},
+    {"surface",
+     "how far a path that was shot with the law of one side of a planet's "
+     "surface goes beyond it"},
     {"second_order",
      "a strict minimum of the discrete problem: eigenvalues of the "
      "wrong sign"},

@@ -26,7 +26,7 @@ constexpr double kShareOfStep = 0.125;
 LaneRates::LaneRates(const Scene& natural,
                      std::shared_ptr<const lanes::Extremal> extremal)
     : scene_(with_rotation(natural)), extremal_(std::move(extremal)) {
-  scene_.world.start_slope = extremal_->path.front().beta;
+  scene_.world.start_slope = extremal_->start().beta;
   for (const lanes::Landing& by : lanes::respond(scene_, *extremal_)) {
     unknowns_.push_back(
         {by.transit_time, by.beta, by.start_beta,
@@ -69,13 +69,13 @@ TimeRate LaneRates::by(SceneCoordinate coordinate) {
   // the w that a push stands for changes: ∂T/∂(start) = p, ∂T/∂(end) = −p.
   const double r = contact_radius(scene_), phi = extremal_->phi;
   const StartRates start = start_rates(scene_);
-  const double p_x = extremal_->p_x(), p_z = extremal_->p_z(),
-               p_w = extremal_->path.front().p_w;
-  out.at_fixed_contacts = out.total +
-                          r * (p_x * std::cos(phi) + p_z * std::sin(phi)) *
-                              slope_rate(&Rates::beta, *direct) -
-                          (p_x * start.x + p_z * start.z + p_w * start.w) *
-                              slope_rate(&Rates::start_beta, *direct);
+  const lanes::Place &from = extremal_->start(), &to = extremal_->end();
+  out.at_fixed_contacts =
+      out.total +
+      r * (to.p_x * std::cos(phi) + to.p_z * std::sin(phi)) *
+          slope_rate(&Rates::beta, *direct) -
+      (from.p_x * start.x + from.p_z * start.z + from.p_w * start.w) *
+          slope_rate(&Rates::start_beta, *direct);
   return out;
 }
 

@@ -110,18 +110,35 @@ class FallingForms {
   template <class Scalar>
   [[nodiscard]] ocp::ByControl<Scalar> hamiltonian_by_control(
       const std::array<Scalar, 2 * kStates>& y, const Scalar& beta) const {
+    const auto& [x, z, theta, w, p_x, p_z, p_theta, p_w] = y;
+    return by_direction(theta, beta, Scalar(w * p_x),
+                        Scalar(w * p_z + p_w * Scalar(gravity_)));
+  }
+  /// The same with another pull in place of (0, g).
+  template <class Scalar>
+  [[nodiscard]] ocp::ByControl<Scalar> hamiltonian_by_control(
+      const std::array<Scalar, 2 * kStates>& y, const Scalar& beta,
+      const Pull<Scalar>& G) const {
+    const auto& [x, z, theta, w, p_x, p_z, p_theta, p_w] = y;
+    return by_direction(theta, beta, Scalar(w * p_x + p_w * G.x),
+                        Scalar(w * p_z + p_w * G.z));
+  }
+
+ private:
+  /// √A + along cos β + down sin β.
+  template <class Scalar>
+  [[nodiscard, gnu::always_inline]] ocp::ByControl<Scalar> by_direction(
+      const Scalar& theta, const Scalar& beta, const Scalar& along,
+      const Scalar& down) const {
     using std::cos;
     using std::sin;
-    const auto& [x, z, theta, w, p_x, p_z, p_theta, p_w] = y;
     const Scalar c = cos(beta), s = sin(beta);
-    const Scalar along = w * p_x, down = w * p_z + p_w * Scalar(gravity_);
     const Root<Scalar> root = root_at(theta, beta);
     const Scalar linear = along * c + down * s;
     return {root.value + linear, (down * c - along * s) - root.first,
             root.second - linear};
   }
 
- private:
   /// √A and its derivatives by δ = θ − β.
   template <class Scalar>
   struct Root {

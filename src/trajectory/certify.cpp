@@ -185,19 +185,16 @@ void check_energy(const ExtremalCurve& curve, double threshold,
 }
 
 /// No costate is constant in the field of a sphere, but what all may be turned
-/// by about its centre is: p_z (x − x₀) − p_x (z − z₀) + p_θ, here over T and
-/// the distance from there. The uniform field's costates need no such check,
-/// for they are read as constants.
+/// by about its centre is. The uniform field's costates need no such check, for
+/// they are read as constants.
 void check_turning(const ExtremalCurve& curve, double threshold,
                    Certificate& certificate) {
   const std::optional<Point> O = turning_centre(curve.scene().world);
   if (!O) return;
   const auto costate = [&](const ExtremalPoint& at) {
-    return at.p.p_z * (at.centre.x - O->x) - at.p.p_x * (at.centre.z - O->z) +
-           at.p.p_theta;
+    return turning_costate(*O, at.centre, at.p);
   };
-  const double distance = std::hypot(O->x, O->z);
-  const double scale = curve.transit_time() * std::max(1.0, distance);
+  const double scale = turning_scale(*O, curve.transit_time());
   const double end = costate(curve.at(1.0));
   const ElementPlace first(gauss_scheme(curve.mesh().degree), 0.0);
   Largest drift;

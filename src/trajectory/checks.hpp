@@ -14,6 +14,7 @@
 #include <string>
 
 #include "model/contact.hpp"
+#include "model/hamiltonian.hpp"
 #include "trajectory/certify.hpp"
 
 namespace brachisto {
@@ -39,6 +40,17 @@ struct Largest {
 
 inline constexpr Largest kBelowAll{-std::numeric_limits<double>::infinity(),
                                    0.0};
+
+/// What an extremal keeps of its costates in a field that may be turned about
+/// O: p_z (x − x₀) − p_x (z − z₀) + p_θ.
+[[nodiscard]] inline double turning_costate(Point O, Point centre,
+                                            const Costates& p) {
+  return p.p_z * (centre.x - O.x) - p.p_x * (centre.z - O.z) + p.p_theta;
+}
+/// By what its changes are measured, of a path that takes T.
+[[nodiscard]] inline double turning_scale(Point O, double T) {
+  return T * std::max(1.0, std::hypot(O.x, O.z));
+}
 
 /// How far the ends of the track are from A and B, or with Contact::Centre how
 /// far the ends of the centre's path are, in the units of the scene.

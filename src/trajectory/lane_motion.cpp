@@ -30,6 +30,11 @@ Mesh steps_as_mesh(int steps) {
   return mesh;
 }
 
+Scene with_law_of(std::optional<FieldSide> side, Scene scene) {
+  scene.world.side = side;
+  return scene;
+}
+
 /// Hermite's polynomials of degree 7 on the places 0, 1, 2, 3: what values and
 /// rates count at a place between, and what they count in the rate there.
 struct Weights {
@@ -62,7 +67,8 @@ struct Weights {
 
 LaneMotion::LaneMotion(const Scene& natural, const lanes::Extremal& extremal,
                        const Scene& scene, const Units& units)
-    : MeshMotion(natural, steps_as_mesh(extremal.places), std::array{1.0},
+    : MeshMotion(with_law_of(extremal.side, natural),
+                 steps_as_mesh(extremal.places), std::array{1.0},
                  extremal.rolling_time(), scene, units,
                  extremal.transit_time * units.time),
       extremal_(std::make_shared<const lanes::Extremal>(extremal)),
@@ -80,7 +86,7 @@ LaneMotion::LaneMotion(const Scene& natural, const lanes::Extremal& extremal,
 }
 
 double LaneMotion::start_angle() const {
-  return extremal_->path.front().beta;
+  return extremal_->start().beta;
 }
 
 MeshMotion::Place LaneMotion::place(int element, double t) const {
@@ -116,41 +122,64 @@ namespace {
 
 /// Where the slope at the start puts the centre: pushed, it is the path's own.
 double slope_at_start(const Scene& scene, const lanes::Extremal& extremal) {
-  return scene.world.start_speed > 0.0 ? extremal.path.front().beta
-                                       : start_angle(scene);
+  return scene.world.start_speed > 0.0 ? extremal.start().beta
+                                       : brachisto::start_angle(scene);
 }
 Point start_of(const Scene& scene, const lanes::Extremal& extremal) {
   return centre_above({0.0, 0.0}, contact_radius(scene),
                       slope_at_start(scene, extremal));
 }
-/// The fall that would give w at the start.
-double pushed_height(const Scene& scene, const lanes::Extremal& extremal) {
-  const double w = pushed_w(scene, slope_at_start(scene, extremal));
-  return 0.5 * w * w / scene.gravity;
-}
+/// Energies ½ w², per mass, of the place of the centre and what is lost until
+/// there.
+class Energies {
+ public:
+  Energies(const Scene& scene, const lanes::Extremal& extremal)
+      : scene_(scene), start_(start_of(scene, extremal)) {
+    const double w = pushed_w(scene, slope_at_start(scene, extremal));
+    pushed_ = 0.5 * w * w;
+  }
+  [[nodiscard]] double at(Point centre, double theta, double lost) const {
+    const Point offset{centre.x - start_.x, centre.z - start_.z};
+    return work_of_field(scene_, start_, offset, theta) + pushed_ - lost;
+  }
+  [[nodiscard]] const Point& start() const { return start_; }
+
+ private:
+  const Scene& scene_;
+  Point start_;
+  double pushed_;
+};
 
 /// What is seen at the places of an extremal.
 ///
 /// \param lost  energy until there, per mass
 void look_along(const Scene& scene, const lanes::Extremal& extremal,
-                const std::vector<double>& lost, Certificate& certificate) {
-  Largest hamiltonian, drift, slope, gain = kBelowAll;
+                const Energies& energies, const std::vector<double>& lost,
+                Certificate& certificate) {
+  Largest hamiltonian, drift, turning, slope, gain = kBelowAll;
+  const std::optional<Point> O = turning_centre(scene.world);
+  const auto kept = [&](const lanes::Place& at) {
+    return turning_costate(*O, {at.x, at.z},
+                           {at.p_x, at.p_z, at.p_theta, at.p_w});
+  };
   int at_rest = 0;
-  const Point start = start_of(scene, extremal);
-  const double pushed = pushed_height(scene, extremal);
   for (int i = 0; i <= extremal.places; ++i) {
     const lanes::Place& at = extremal.path[static_cast<std::size_t>(i)];
     const double sigma = static_cast<double>(i) / extremal.places;
-    const Costates p{extremal.p_x(), extremal.p_z(), at.p_theta, at.p_w};
+    const Costates p{at.p_x, at.p_z, at.p_theta, at.p_w};
     const MovingState state{{at.x, at.z}, at.theta, at.w};
     hamiltonian.see(
         std::abs(brachisto::hamiltonian(scene, state, p, at.beta)) / at.root,
         sigma);
     gain.see(gain_of_other_directions(scene, state, p, at.beta), sigma);
-    const double height = energy_height(scene.body, at.z - start.z, at.theta) +
-                          pushed -
-                          lost[static_cast<std::size_t>(i)] / scene.gravity;
-    drift.see(std::abs(at.w * at.w / (2.0 * scene.gravity) - height), sigma);
+    const double energy =
+        energies.at({at.x, at.z}, at.theta, lost[static_cast<std::size_t>(i)]);
+    if (O) {
+      turning.see(std::abs(kept(at) - kept(extremal.end())) /
+                      turning_scale(*O, extremal.transit_time),
+                  sigma);
+    }
+    drift.see(std::abs(0.5 * at.w * at.w - energy) / scene.gravity, sigma);
     slope.see(std::abs(at.beta), sigma);
     if (i > 0 && !(at.w > 0.0)) ++at_rest;
   }
@@ -160,6 +189,10 @@ void look_along(const Scene& scene, const lanes::Extremal& extremal,
                   gain.where());
   certificate.add("energy_drift", drift.value, kThresholds.defects,
                   drift.where());
+  if (O) {
+    certificate.add("turning_costate", turning.value, kThresholds.defects,
+                    turning.where());
+  }
   certificate.add("slope_angle", slope.value, std::numbers::pi, slope.where());
   certificate.add("speed", static_cast<double>(at_rest) / extremal.places, 0.0);
 }
@@ -192,12 +225,11 @@ Certificate certify(const LaneMotion& motion) {
   for (int e = 0; e < extremal.places; ++e) {
     lost.push_back(lost.back() + motion.lost_within(e, 1.0));
   }
-  look_along(scene, extremal, lost, certificate);
+  const Energies energies(scene, extremal);
+  look_along(scene, extremal, energies, lost, certificate);
 
-  const Point start = start_of(scene, extremal);
-  const double pushed = pushed_height(scene, extremal);
-  const lanes::Place& last =
-      extremal.path[static_cast<std::size_t>(extremal.places)];
+  const Point start = energies.start();
+  const lanes::Place& last = extremal.end();
   check_contact(scene, start, slope_at_start(scene, extremal), {last.x, last.z},
                 extremal.phi, 0.0, certificate);
 
@@ -205,21 +237,28 @@ Certificate certify(const LaneMotion& motion) {
   // as it came.
   static const math::QuadratureRule rule = math::gauss_legendre(4);
   double x = start.x, z = start.z, turned = 0.0, t = 0.0;
+  Largest beyond = kBelowAll;
   for (int e = 0; e < extremal.places; ++e) {
     for (std::size_t i = 0; i < rule.points.size(); ++i) {
       const PathState at = motion.place(e, rule.points[i]).state;
-      const double E = energy_height(body, at.centre.z - start.z, at.theta) +
-                       pushed -
-                       (lost[static_cast<std::size_t>(e)] +
-                        motion.lost_within(e, rule.points[i])) /
-                           scene.gravity;
-      const double w = fall_speed(scene.gravity, E);
+      const double energy =
+          energies.at(at.centre, at.theta,
+                      lost[static_cast<std::size_t>(e)] +
+                          motion.lost_within(e, rule.points[i]));
+      const double w = std::sqrt(2.0 * energy);
+      beyond.see(
+          lanes::beyond_surface(scene, at.centre.x, at.centre.z, at.theta),
+          (e + rule.points[i]) / extremal.places);
       const double du = rule.weights[i] * motion.step_;
       x += du * w * std::cos(at.beta);
       z += du * w * std::sin(at.beta);
       turned += du * w * motion.turn_;
       t += du * root_of_inertia(body, at.theta, at.beta);
     }
+  }
+  if (scene.world.side) {
+    certificate.add("surface", beyond.value, lanes::kBeyondSurface,
+                    beyond.where());
   }
   const double worst = std::max({std::abs(t / extremal.transit_time - 1.0),
                                  std::hypot(x - last.x, z - last.z),

@@ -63,10 +63,14 @@ class LaneMotion final : public MeshMotion {
 ///                    changes its sign, or an end whose free length makes no
 ///                    minimum
 ///   legendre         −min ∂²𝓗/∂β²; below zero on a minimum
+///   turning_costate  of a field about a centre what turning it keeps of the
+///                    costates
 ///   weierstrass      max (𝓗(β) − 𝓗(b)) / √A over all directions b
 /// Integrity:
 ///   contact_error    distance of the track's ends from A and B
 ///   energy_drift     max |w²/2g − E|, E less what the air takes
+///   surface          how far the centre of mass goes beyond where the field
+///                    has a kink
 ///   reintegration_error  T, place and θ at the end by Gauss's rule along the
 ///                    slopes, with the speed from the energy
 ///   slope_angle      continuous slope angle within [−π, π]: no loop

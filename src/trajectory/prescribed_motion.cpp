@@ -100,17 +100,8 @@ PrescribedMotion::PrescribedMotion(const Scene& scene, PlaneCurvePtr centre)
 }
 
 double PrescribedMotion::energy(const CurvePlace& place, double s) const {
-  const Body& body = scene_.body;
-  const double theta = theta_after(s);
-  // The way of the centre of mass, r η (cos θ − cos θ_m) as a product.
-  const double half = 0.5 * (theta - body.theta_m);
-  const Point by{place.offset.x - 2.0 * body.radius * body.eta_m *
-                                      std::sin(half) *
-                                      std::sin(half + body.theta_m),
-                 energy_height(body, place.offset.z, theta)};
-  const Point from = mass_centre(body, curve_->start(), body.theta_m);
   return start_kinetic_ +
-         potential_fall(scene_, from, {from.x + by.x, from.z + by.z}, by);
+         work_of_field(scene_, curve_->start(), place.offset, theta_after(s));
 }
 
 double PrescribedMotion::gain_at_rest(const CurvePlace& place, double s) const {

@@ -11,6 +11,7 @@
 #include <random>
 #include <vector>
 
+#include "brachisto/study/solve.hpp"
 #include "extremal/shooting.hpp"
 #include "model/cycloid.hpp"
 #include "model/units.hpp"
@@ -56,6 +57,23 @@ std::vector<Scene> with_pushes(std::vector<Scene> scenes) {
   return scenes;
 }
 
+/// The same, each in the field of a planet of its own, below all of it or about
+/// it.
+std::vector<Scene> by_planets(std::vector<Scene> scenes) {
+  std::mt19937 random(41);
+  const auto between = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
+  };
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const bool below = i % 2 == 0;
+    scenes[i].world.sphere =
+        Sphere{{between(1.0, 4.0), between(9.5, 15.0)},
+               below ? between(2.0, 6.5) : between(17.5, 30.0),
+               between(3.0, 20.0)};
+  }
+  return scenes;
+}
+
 double transit_time(const Scene& scene, const Extremal& found) {
   return found.transit_time * natural_units(scene).time;
 }
@@ -65,6 +83,7 @@ struct Attempt {
   Fineness fineness;
   bool in_air, pushed;
   int least_served;
+  bool by_planet = false;
 };
 class ManyScenesTried : public testing::TestWithParam<Attempt> {};
 
@@ -72,6 +91,7 @@ TEST_P(ManyScenesTried, HaveTheTimesOfTheIndirectMethodOfOne) {
   std::vector<Scene> scenes = random_scenes(24);
   if (GetParam().in_air) scenes = in_airs(std::move(scenes));
   if (GetParam().pushed) scenes = with_pushes(std::move(scenes));
+  if (GetParam().by_planet) scenes = by_planets(std::move(scenes));
 
   const std::vector<Extremal> found = shoot(scenes, GetParam().fineness);
 
@@ -98,7 +118,11 @@ INSTANTIATE_TEST_SUITE_P(
                     Attempt{"PlainInAir", kPlain, true, false, 16},
                     Attempt{"FineInAir", kFine, true, false, 19},
                     Attempt{"PlainPushed", kPlain, false, true, 16},
-                    Attempt{"FinePushedInAir", kFine, true, true, 16}),
+                    Attempt{"FinePushedInAir", kFine, true, true, 16},
+                    Attempt{"PlainByPlanets", kPlain, false, false, 14, true},
+                    Attempt{"FineByPlanets", kFine, false, false, 18, true},
+                    Attempt{"PlainPushedInAirByPlanets", kPlain, true, true, 9,
+                            true}),
     [](const auto& one) { return one.param.name; });
 
 /// A path that turns quickly is interpolated between the places that are kept:
@@ -186,7 +210,8 @@ TEST(ManyScenes, HaveTheSameDigitsWhateverStandsBesideThem) {
   std::vector<Scene> scenes = random_scenes(11);
   for (const std::vector<Scene>& others :
        {in_airs(random_scenes(5)), with_pushes(random_scenes(3)),
-        with_pushes(in_airs(random_scenes(3)))}) {
+        with_pushes(in_airs(random_scenes(3))), by_planets(random_scenes(6)),
+        by_planets(in_airs(random_scenes(3)))}) {
     scenes.insert(scenes.begin() + 4, others.begin(), others.end());
   }
 
@@ -205,7 +230,9 @@ TEST(ManyScenes, HaveTheSameDigitsWhateverStandsBesideThem) {
 TEST(ManyScenes, HaveTheSameDigitsWithAllInstructions) {
   std::vector<Scene> scenes = random_scenes(16);
   for (const std::vector<Scene>& others :
-       {in_airs(random_scenes(16)), with_pushes(in_airs(random_scenes(16)))}) {
+       {in_airs(random_scenes(16)), with_pushes(in_airs(random_scenes(16))),
+        by_planets(random_scenes(16)),
+        by_planets(with_pushes(in_airs(random_scenes(16))))}) {
     scenes.insert(scenes.end(), others.begin(), others.end());
   }
   const std::vector<Extremal> baseline =
@@ -276,6 +303,80 @@ TEST(ManyScenes, SayNothingOfTheSecondOrderInAirThatIsTooThinForIt) {
           << i;
     }
   }
+}
+
+/// Turned about its own centre a planet is the same: the scene has the time of
+/// the one that was turned with it, in which the pull at A is another.
+TEST(ManyScenes, HaveInTheFieldOfAPlanetNoDirectionThatIsTheVertical) {
+  constexpr double kTurn = 0.3;
+  Scene scene;
+  scene.body = Body::cylinder(0.3, 0.4, 0.5, 0.3);
+  scene.L = 3.0;
+  scene.H = 1.5;
+  scene.world.sphere = Sphere{{1.0, 8.0}, 3.0, 50.0};
+  Scene turned = scene;
+  const double c = std::cos(kTurn), s = std::sin(kTurn);
+  turned.L = c * scene.L - s * scene.H;
+  turned.H = s * scene.L + c * scene.H;
+  turned.world.sphere->centre = {c * 1.0 - s * 8.0, s * 1.0 + c * 8.0};
+  turned.body.theta_m += kTurn;
+
+  const std::vector<Extremal> found = shoot(std::vector{scene, turned}, kFine);
+
+  ASSERT_TRUE(found[0].found && found[1].found);
+  EXPECT_NEAR(transit_time(turned, found[1]) / transit_time(scene, found[0]),
+              1.0, found[0].error_estimate + found[1].error_estimate);
+  // Second derivatives by lengths, of times in seconds per square metre.
+  const auto by_length = [](const Scene& of, const Extremal& one) {
+    const Units units = natural_units(of);
+    return one.by_length * units.time / (units.length * units.length);
+  };
+  EXPECT_NEAR(by_length(turned, found[1]) / by_length(scene, found[0]), 1.0,
+              1e-7);
+  EXPECT_NEAR(found[1].phi - found[0].phi, kTurn, 1e-9);
+}
+
+/// The saddle of docs/robustness.md (scene 418), and what a push makes of it: a
+/// minimum, if it is large enough.
+TEST(ManyScenes, RefuseAPushedSaddleAndServeTheMinimumThatAPushMakesOfIt) {
+  for (const double linear_drag : {0.0, 0.1}) {
+    for (const double speed : {0.05, 0.2}) {
+      Scene scene;
+      scene.body = Body::cylinder(0.38522, 0.63445, -1.2318, 0.50532);
+      scene.L = 2.9236;
+      scene.H = 1.0;
+      scene.world.start_speed = speed;
+      scene.world.air.linear = linear_drag;
+
+      const Extremal found = shoot(std::vector{scene}, kFine).front();
+
+      const Solution alone = solve(scene);
+      ASSERT_EQ(alone.status, Status::Solved);
+      EXPECT_EQ(alone.verified(), speed == 0.2);
+      EXPECT_EQ(found.found, speed == 0.2) << speed << ", " << linear_drag;
+      if (!alone.verified()) {
+        ASSERT_NE(alone.certificate.find("second_order"), nullptr);
+        EXPECT_FALSE(alone.certificate.find("second_order")->passed);
+      }
+      // It is closed either way.
+      EXPECT_NEAR(transit_time(scene, found) / alone.motion()->transit_time(),
+                  1.0, found.error_estimate + *alone.estimated_error);
+    }
+  }
+}
+
+/// With the law of one side on both it would be another field.
+TEST(ManyScenes, LeaveOutPathsThroughTheSurfaceOfAPlanet) {
+  Scene scene;
+  scene.body = Body::cylinder(0.2, 0.3, 0.3, 0.3);
+  scene.L = 3.0;
+  scene.H = 1.0;
+  scene.world.sphere = Sphere{{1.0, 10.0}, 9.3, 9.81};
+
+  EXPECT_TRUE(fits(scene));
+  EXPECT_FALSE(shoot(std::vector{scene}, kFine).front().found);
+  scene.world.sphere->radius = 8.0;
+  EXPECT_TRUE(shoot(std::vector{scene}, kFine).front().found);
 }
 
 TEST(ManyScenes, LeaveOutWhatIsNotFreeAndWhatHasNoCycloid) {

@@ -594,6 +594,11 @@ Scene push_of_a_small_body() {
   scene.L = 4.0;
   return with_push(scene, 1.5);
 }
+/// Outside of it, or within a large one.
+Scene by_planet(Scene scene, double radius) {
+  scene.world.sphere = Sphere{{1.5, 12.0}, radius, 12.0};
+  return scene;
+}
 std::vector<Case> pushed_in_lanes() {
   return {
       {"Push", with_push(for_lanes(0.4, 0.7, 0.5), 1.0)},
@@ -603,6 +608,8 @@ std::vector<Case> pushed_in_lanes() {
        with_push(for_lanes(0.5, 2.0, 0.3, Contact::Centre), 1.5)},
       {"PushOfASmallBody", push_of_a_small_body()},
       {"PushInAir", in_air(with_push(for_lanes(0.4, 0.7, 0.5), 1.0), 0.2, 0.1)},
+      {"PushByAPlanet",
+       by_planet(with_push(for_lanes(0.4, 0.7, 0.5), 1.0), 9.0)},
   };
 }
 
@@ -643,7 +650,9 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"Forwards", for_lanes(0.4, 0.7, 0.5)},
         Case{"Backwards", for_lanes(0.7, -1.2, 0.1)},
         Case{"BetweenEnds", for_lanes(0.5, 2.0, 0.3, Contact::Centre)},
-        Case{"InAir", in_air(for_lanes(0.4, 0.7, 0.5), 0.2, 0.1)}),
+        Case{"InAir", in_air(for_lanes(0.4, 0.7, 0.5), 0.2, 0.1)},
+        Case{"ByAPlanet", by_planet(for_lanes(0.4, 0.7, 0.5), 9.0)},
+        Case{"WithinAPlanet", by_planet(for_lanes(0.7, -1.2, 0.1), 16.0)}),
     [](const auto& one) { return one.param.test; });
 INSTANTIATE_TEST_SUITE_P(Pushed, OfLanes,
                          ::testing::ValuesIn(pushed_in_lanes()),

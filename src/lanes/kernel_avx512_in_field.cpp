@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "lanes/kernel.hpp"
+
+namespace brachisto::lanes {
+
+template struct Kernel<Instructions::Avx512, kLanes,
+                       Surroundings{.field = true}>;
+template struct Kernel<Instructions::Avx512, kLanes,
+                       Surroundings{.air = true, .field = true}>;
+
+}  // namespace brachisto::lanes

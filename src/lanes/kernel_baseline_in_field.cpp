@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The brachisto authors
+// SPDX-License-Identifier: MIT
+
+#include "lanes/kernel.hpp"
+
+namespace brachisto::lanes {
+
+template struct Kernel<Instructions::Baseline, kLanes,
+                       Surroundings{.field = true}>;
+template struct Kernel<Instructions::Baseline, kLanes,
+                       Surroundings{.air = true, .field = true}>;
+template struct Kernel<Instructions::Baseline, kFewLanes,
+                       Surroundings{.field = true}>;
+template struct Kernel<Instructions::Baseline, kFewLanes,
+                       Surroundings{.air = true, .field = true}>;
+
+}  // namespace brachisto::lanes

@@ -44,7 +44,12 @@ std::optional<LimitedAnswer> on_fixed_mesh(const FittedPath& path, int p,
     Discretisation accurate;
     accurate.tolerance = largest_error_of_a_judge(wanted.wanted_tolerance());
     judge = refine_arcs(path, coarse.degree, accurate, search, protocol);
-    if (judge && *judge->estimated_error > *accurate.tolerance) judge.reset();
+    if (judge &&
+        (*judge->estimated_error > *accurate.tolerance ||
+         !keeps_limits(judge->path.curve) ||
+         judge->path.curve.problem().mesh().num_elements() >= elements)) {
+      judge.reset();
+    }
   }
   const FittedPath& from = judge ? judge->path : path;
   std::optional<FittedPath> found =

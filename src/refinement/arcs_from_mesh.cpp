@@ -3,6 +3,8 @@
 
 #include "refinement/arcs_from_mesh.hpp"
 
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include "refinement/arcs.hpp"
@@ -49,6 +51,33 @@ std::optional<LimitedAnswer> refined(FittedPath path,
       p, wanted, search, protocol);
 }
 
+FromMesh without_its_arcs(const LimitedCurve& coarse,
+                          const Discretisation& wanted,
+                          const std::function<IpoptOptions()>& left,
+                          ArcSearch& search, PassProtocol& protocol) {
+  FromMesh out;
+  const double most_work = protocol.most_work;
+  for (const First first : {First::Finer, First::DrawnIn}) {
+    constexpr double kLeft = 0.5;  // of the work, for what comes second
+    if (first == First::Finer && std::isfinite(most_work)) {
+      protocol.most_work -= kLeft * (most_work - protocol.work);
+    }
+    SolvedWithoutArcs solved = solve_without_arcs(
+        coarse, wanted.tolerance.value_or(kToleranceWithoutArcs), left(),
+        protocol, first);
+    if (solved.finest() && !protocol.stopped()) {
+      out.path = arcs_from(*solved.finest(), kArcDegree, search, protocol);
+    }
+    out.mesh = std::move(solved.path);
+    protocol.most_work = most_work;
+    if (out.path || out.mesh || protocol.stopped() ||
+        protocol.status == Status::NoFastestTrack) {
+      break;
+    }
+  }
+  return out;
+}
+
 LimitedAnswer answer_without_arcs(const PathWithoutArcs& found,
                                   PassProtocol& protocol) {
   protocol.status = Status::Solved;
@@ -63,7 +92,7 @@ LimitedRefinement refine_from_mesh(const LimitedCurve& mesh,
   PassProtocol protocol(options);
   ArcSearch search(protocol, options);
   std::optional<LimitedAnswer> answer;
-  SolvedWithoutArcs without;
+  FromMesh without;
   std::optional<FittedPath> path;
   if (its_arcs == ItsArcs::Tried) {
     path = arcs_from(mesh, kArcDegree, search, protocol);
@@ -71,16 +100,16 @@ LimitedRefinement refine_from_mesh(const LimitedCurve& mesh,
   if (path) answer = refined(*std::move(path), wanted, search, protocol);
   if (!answer && !wanted.fixed() && !protocol.stopped() &&
       protocol.status != Status::NoFastestTrack) {
-    without = solve_without_arcs(
-        mesh, wanted.tolerance.value_or(kToleranceWithoutArcs), options.ipopt,
-        protocol);
-    if (without.finest() && !protocol.stopped()) {
-      path = arcs_from(*without.finest(), kArcDegree, search, protocol);
-      if (path) answer = refined(*std::move(path), wanted, search, protocol);
+    protocol.most_work = kMostSearchWork;
+    without = without_its_arcs(
+        mesh, wanted, [&] { return options.ipopt; }, search, protocol);
+    protocol.most_work = std::numeric_limits<double>::infinity();
+    if (without.path) {
+      answer = refined(*std::move(without.path), wanted, search, protocol);
     }
   }
-  if (!answer && without.path) {
-    answer = answer_without_arcs(*without.path, protocol);
+  if (!answer && without.mesh) {
+    answer = answer_without_arcs(*without.mesh, protocol);
   }
   return {std::move(protocol).finished(), std::move(answer), {}, {}, {}, {}};
 }

@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -34,6 +35,22 @@ inline constexpr int kArcDegree = 7;
                                                    const Discretisation& wanted,
                                                    ArcSearch& search,
                                                    PassProtocol& protocol);
+
+/// What a coarse path leads to without arcs.
+struct FromMesh {
+  std::optional<FittedPath> path;       ///< on arcs read off a finer mesh
+  std::optional<PathWithoutArcs> mesh;  ///< that itself
+};
+
+/// By what is done First, the one or else the other; nothing if neither leads
+/// anywhere.
+///
+/// \param coarse  as solve_without_arcs() has it
+/// \param left    the iterations that each may take
+[[nodiscard]] FromMesh without_its_arcs(
+    const LimitedCurve& coarse, const Discretisation& wanted,
+    const std::function<IpoptOptions()>& left, ArcSearch& search,
+    PassProtocol& protocol);
 
 /// The mesh itself as the answer, which the protocol tells.
 [[nodiscard]] LimitedAnswer answer_without_arcs(const PathWithoutArcs& found,

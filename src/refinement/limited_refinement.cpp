@@ -294,17 +294,11 @@ class LimitedSolve {
     tried_mesh_ = true;
     if (!tightening_->tight() || wanted_.fixed()) return {};
     tries("on meshes that know no arcs");
-    std::optional<FittedPath> path;
-    for (const First first : {First::Finer, First::DrawnIn}) {
-      SolvedWithoutArcs solved =
-          solve_without_arcs(*tightening_->tight(),
-                             wanted_.tolerance.value_or(kToleranceWithoutArcs),
-                             left(), protocol_, first);
-      if (solved.finest() && !stopped()) path = arcs_from(*solved.finest());
-      mesh_ = std::move(solved.path);
-      if (path || mesh_ || ended()) break;
-    }
-    return path;
+    FromMesh found = without_its_arcs(
+        *tightening_->tight(), wanted_, [&] { return left(); }, arcs_,
+        protocol_);
+    mesh_ = std::move(found.mesh);
+    return std::move(found.path);
   }
   void take_mesh() {
     answer_.emplace(answer_without_arcs(*mesh_, protocol_));
@@ -330,7 +324,8 @@ class LimitedSolve {
     for (const MeshRecord& mesh : protocol_.meshes) {
       ipopt.max_iterations -= mesh.iterations;
     }
-    ipopt.max_iterations -= protocol_.record.iterations;
+    ipopt.max_iterations =
+        std::max(0, ipopt.max_iterations - protocol_.record.iterations);
     return ipopt;
   }
   /// With those too.

@@ -18,11 +18,11 @@ namespace brachisto {
 
 /// What all searches for one answer may take together, in steps of solvers
 /// times the equations that each of them solves.
-inline constexpr double kMostSearchWork = 1.4e7;
+inline constexpr double kMostSearchWork = 1.5e7;
 /// The shares of it after which the limits asked for are given up, from what
 /// the free path leads to and from random ones, and looser limits; the rest is
 /// for making these exact.
-inline constexpr double kSearchAsAsked = 0.5, kSearchWaves = 0.65,
+inline constexpr double kSearchAsAsked = 0.52, kSearchWaves = 0.66,
                         kSearchLooser = 0.95;
 /// The share that certifying a looser path has at the least, should the search
 /// have gone beyond its own.

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <optional>
@@ -58,41 +59,57 @@ class WithoutArcs {
  private:
   [[nodiscard]] std::optional<PathWithoutArcs> accurate_to(double tolerance) {
     constexpr int kMostRounds = 8;
-    constexpr double kShare = 0.1, kMostCost = 0.1;
-    // An error of order three or more has lost seven eighths by it.
+    constexpr double kShare = 0.1, kMostCost = 0.3, kLess = 0.6;
+    // An error of order three or more has lost seven eighths by a halving.
     constexpr double kSmooth = 1.0 / 7.0;
+    // What the certificate lets slack times multiplier come to.
+    constexpr double kComplementarity = 0.1;
     if (!close(curve_.problem().mesh())) return std::nullopt;
-    halve_at_changes(kShare * tolerance);
+    const double at_changes = halve_at_changes(kShare * tolerance);
     double before = curve_.transit_time();
     double of_halving = 0.0;
+    double cost_before = std::numeric_limits<double>::infinity();
     Mesh next = halved(curve_.problem().mesh());
+    bool everywhere = true;  // it is finer
     for (int i = 0; i < kMostRounds; ++i) {
       ends_as_it_does_ = false;
       if (!close(next)) break;
-      // With least margins, as before: what the mesh alone has changed. On
-      // smooth stretches, where no more elements come, that was of_halving.
+      // With least margins, as before: what the mesh alone has changed.
       const double free_time = curve_.transit_time();
       const double changed =
           std::abs(free_time / std::exchange(before, free_time) - 1.0);
-      if (i == 0) of_halving = changed;
-      const double of_mesh = std::max(2.0 * changed, kSmooth * of_halving);
+      if (everywhere) of_halving = changed;
+      // Where no more elements came the halving tells: of smooth stretches; and
+      // of changes what the last ones there did.
+      const double elsewhere =
+          std::min(2.0 * of_halving, kSmooth * of_halving + 2.0 * at_changes);
+      const double of_mesh =
+          everywhere ? 2.0 * changed : std::max(2.0 * changed, elsewhere);
+      const double cost = sum_of(cost_of_keeping());
       next = finer_where_costly(kShare * tolerance);
+      everywhere = false;
       if (first_ == First::Finer && i + 1 < kMostRounds &&
           next.num_elements() <= kMostElements &&
-          sum_of(cost_of_keeping()) > kMostCost * tolerance) {
+          cost > kMostCost * tolerance) {
+        if (cost > kLess * cost_before) break;  // it does not help
+        cost_before = cost;
         continue;
       }
       if (keep_between()) {
         const double error =
-            of_mesh + std::abs(curve_.transit_time() / free_time - 1.0) +
-            sum_of(cost_of_keeping()) + mismatch_.largest() + kRounding;
+            (1.0 + kComplementarity) *
+            (of_mesh + std::abs(curve_.transit_time() / free_time - 1.0) +
+             sum_of(cost_of_keeping()) + mismatch_.largest() + kRounding);
         protocol_.record.estimated_error = error;
         protocol_.keep_record("mesh", curve_.transit_time());
         if (error <= tolerance) {
           return PathWithoutArcs{{{}, ends_, curve_, mismatch_}, error};
         }
       }
+      const Mesh& mesh = curve_.problem().mesh();
       next = finer_where_costly(kShare * tolerance);
+      everywhere = next.num_elements() == mesh.num_elements();
+      if (everywhere) next = halved(mesh);
       if (next.num_elements() > kMostElements) break;
     }
     static_cast<void>(protocol_.fail(
@@ -102,21 +119,23 @@ class WithoutArcs {
 
   /// Elements in which what holds changes, until T changes by no more than so
   /// much, relative, or the contact is not closed any more.
-  void halve_at_changes(double enough) {
+  /// \return what it changed by last
+  double halve_at_changes(double enough) {
     constexpr int kMostMeshes = 12;
     double change = 1.0;
     for (int i = 0; i < kMostMeshes && change > enough; ++i) {
       const Mesh next = finer_at_changes(curve_);
-      if (next.num_elements() > kMostElements) return;
+      if (next.num_elements() > kMostElements) break;
       const LimitedCurve last = curve_;
       const LimitedEnds last_ends = ends_;
       if (!close(next)) {
         curve_ = last;
         ends_ = last_ends;
-        return;
+        break;
       }
       change = std::abs(curve_.transit_time() / last.transit_time() - 1.0);
     }
+    return change;
   }
 
   static constexpr int kMostElements = 800;
@@ -285,7 +304,11 @@ class WithoutArcs {
     std::vector<double> more(margins_.size(), kMore);  // by element
     for (int i = 0; i < kMostPasses; ++i) {
       const Mesh mesh = curve_.problem().mesh();
-      if (!close_contact(mesh)) return false;
+      const bool known = rates_.size() > 0;
+      if (!close_contact(mesh)) {
+        rates_.resize(0, 0);  // those of the pass before may mislead
+        if (!known || !close_contact(mesh)) return false;
+      }
       bool kept = true;
       for (int e = 0; e < mesh.num_elements(); ++e) {
         double where = 0.0;

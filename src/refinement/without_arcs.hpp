@@ -30,8 +30,8 @@ inline constexpr const char* kSolvedWithoutArcs =
 /// has no arcs.
 struct PathWithoutArcs {
   FittedPath path;
-  /// Relative, of T: twice what the last mesh, finer everywhere, changed, and
-  /// what it costs to keep the limits between the points.
+  /// Relative, of T: what the last meshes changed, finer everywhere or where
+  /// limits are kept, and what it costs to keep them between the points.
   double estimated_error;
 };
 

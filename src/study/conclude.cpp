@@ -102,8 +102,9 @@ void conclude(const PosedProblem& posed, const LimitedAnswer& found,
   record(verdict(out, message), out);
 }
 
-/// From a path whose conditions are met but for their signs, say, to another
-/// one that its program leads to; nothing changes if that is not verified.
+/// From a path that fails its certificate, for the sign of a multiplier say, to
+/// another one that its program leads to; nothing changes if that is not
+/// verified.
 void conclude_elsewhere(const PosedProblem& posed, const LimitedCurve& curve,
                         Solution& out) {
   Solution other = out;
@@ -125,7 +126,7 @@ void conclude_resolved(const PosedProblem& posed, LimitedRefinement found,
   constexpr int kRounds = 3;
   const Discretisation& wanted = posed.program.discretisation;
   conclude(posed, found, out);
-  for (int round = 1; round < kRounds; ++round) {
+  for (int round = 1;; ++round) {
     if (!found.answer || found.answer->path.arcs.empty() || wanted.fixed() ||
         posed.stop().met() || out.certificate.verified()) {
       return;
@@ -142,8 +143,9 @@ void conclude_resolved(const PosedProblem& posed, LimitedRefinement found,
       return true;
     };
     auto held = held_from_rest(path.curve, path.arcs);
-    if (!(held && resolved_by(*std::move(held))) &&
-        !(under_resolved(out.certificate) && resolved_by(halved(path.arcs)))) {
+    if (round == kRounds || (!(held && resolved_by(*std::move(held))) &&
+                             !(under_resolved(out.certificate) &&
+                               resolved_by(halved(path.arcs))))) {
       return conclude_elsewhere(posed, path.curve, out);
     }
     conclude(posed, found, out);

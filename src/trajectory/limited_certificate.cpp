@@ -204,9 +204,10 @@ void check_conditions(const LimitedCurve& curve, double error,
     certificate.add("complementarity", residual.complementarity,
                     kComplementarity, residual.worst_multiplier);
   } else {
-    // Slack times multiplier, over all points: what T has yet to lose to first
-    // order. An interior-point method leaves as much at each, of short elements
-    // too, and here it is a part of the estimated error.
+    // The sum of slack times multiplier, which is to first order what T has yet
+    // to lose: an interior-point method leaves as much at each point, of short
+    // elements too. Its mean is over one bound of each row at most, of points
+    // and of the start, which are no more than the points' rows twice.
     const VariableLayout& layout = problem.layout();
     const int bounds = 2 * layout.num_points() * layout.num_limits();
     certificate.add("complementarity",

@@ -57,9 +57,9 @@ FromMesh without_its_arcs(const LimitedCurve& coarse,
                           ArcSearch& search, PassProtocol& protocol) {
   FromMesh out;
   const double most_work = protocol.most_work;
-  for (const First first : {First::Finer, First::DrawnIn}) {
-    constexpr double kLeft = 0.5;  // of the work, for what comes second
-    if (first == First::Finer && std::isfinite(most_work)) {
+  for (const First first : {First::DrawnIn, First::Finer}) {
+    constexpr double kLeft = 0.4;  // of the work, for what comes second
+    if (first == First::DrawnIn && std::isfinite(most_work)) {
       protocol.most_work -= kLeft * (most_work - protocol.work);
     }
     SolvedWithoutArcs solved = solve_without_arcs(

@@ -18,7 +18,7 @@ namespace brachisto {
 
 /// What all searches for one answer may take together, in steps of solvers
 /// times the equations that each of them solves.
-inline constexpr double kMostSearchWork = 1.5e7;
+inline constexpr double kMostSearchWork = 1.7e7;
 /// The shares of it after which the limits asked for are given up, from what
 /// the free path leads to and from random ones, and looser limits; the rest is
 /// for making these exact.

@@ -59,7 +59,7 @@ class WithoutArcs {
  private:
   [[nodiscard]] std::optional<PathWithoutArcs> accurate_to(double tolerance) {
     constexpr int kMostRounds = 8;
-    constexpr double kShare = 0.1, kMostCost = 0.3, kLess = 0.6;
+    constexpr double kShare = 0.1, kMostCost = 0.3, kLess = 0.6, kHalf = 0.5;
     // An error of order three or more has lost seven eighths by a halving.
     constexpr double kSmooth = 1.0 / 7.0;
     // What the certificate lets slack times multiplier come to.
@@ -108,7 +108,8 @@ class WithoutArcs {
       }
       const Mesh& mesh = curve_.problem().mesh();
       next = finer_where_costly(kShare * tolerance);
-      everywhere = next.num_elements() == mesh.num_elements();
+      everywhere = next.num_elements() == mesh.num_elements() ||
+                   of_mesh > kHalf * tolerance;
       if (everywhere) next = halved(mesh);
       if (next.num_elements() > kMostElements) break;
     }
@@ -154,7 +155,6 @@ class WithoutArcs {
   /// On a mesh, from the last path.
   [[nodiscard]] bool close(const Mesh& mesh) {
     margins_ = least_margins(mesh);
-    rates_.resize(0, 0);
     if (!close_contact(mesh)) return false;
     closed_ = curve_;
     return true;
@@ -177,10 +177,7 @@ class WithoutArcs {
     if (!ends || !solve(problem_on(mesh, *ends), false)) return false;
     ends_ = *ends;
     Eigen::VectorXd open = open_now();
-    Eigen::MatrixXd& B = rates_;
-    if (B.rows() != open.size()) {
-      B = -Eigen::MatrixXd::Identity(open.size(), open.size());
-    }
+    Eigen::MatrixXd B = -Eigen::MatrixXd::Identity(open.size(), open.size());
     double largest = kLargestStep;
     for (int i = 0; i < kMostPasses; ++i) {
       if (mismatch_.largest() <= kClosed) return true;
@@ -300,15 +297,10 @@ class WithoutArcs {
     constexpr double kMore = 1.2, kMoreOfMotion = 2.0;
     constexpr double kMoreEachTime = 2.0;
     ends_as_it_does_ = true;
-    rates_.resize(0, 0);
     std::vector<double> more(margins_.size(), kMore);  // by element
     for (int i = 0; i < kMostPasses; ++i) {
       const Mesh mesh = curve_.problem().mesh();
-      const bool known = rates_.size() > 0;
-      if (!close_contact(mesh)) {
-        rates_.resize(0, 0);  // those of the pass before may mislead
-        if (!known || !close_contact(mesh)) return false;
-      }
+      if (!close_contact(mesh)) return false;
       bool kept = true;
       for (int e = 0; e < mesh.num_elements(); ++e) {
         double where = 0.0;
@@ -388,7 +380,6 @@ class WithoutArcs {
   LimitedEnds ends_;
   ContactMismatch mismatch_;
   bool ends_as_it_does_ = false;  ///< see keep_between()
-  Eigen::MatrixXd rates_;         ///< of what is open by the slopes at the ends
   Margins margins_;
 };
 

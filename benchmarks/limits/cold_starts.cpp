@@ -20,10 +20,10 @@
 
 #include "brachisto/io/problem_file.hpp"
 #include "brachisto/solvers/program_solvers.hpp"
-#include "limits/random_path.hpp"
 #include "model/loosened_limits.hpp"
 #include "nlp/elastic.hpp"
 #include "refinement/open_conditions.hpp"
+#include "refinement/random_path.hpp"
 #include "study/pose.hpp"
 #include "support/processes.hpp"
 #include "support/text.hpp"

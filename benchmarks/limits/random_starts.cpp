@@ -17,10 +17,10 @@
 #include <vector>
 
 #include "brachisto/solvers/program_solvers.hpp"
-#include "limits/random_path.hpp"
 #include "math/cpu_clock.hpp"
 #include "model/inertia.hpp"
 #include "refinement/arc_fit.hpp"
+#include "refinement/random_path.hpp"
 #include "study/pose.hpp"
 #include "support/csv.hpp"
 #include "support/limited_scenes.hpp"

@@ -8,10 +8,12 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <ranges>
 #include <utility>
 
 #include "brachisto/math/clock.hpp"
 #include "brachisto/math/index.hpp"
+#include "model/field.hpp"
 #include "model/start_under_limits.hpp"
 
 namespace brachisto {
@@ -26,6 +28,12 @@ std::optional<Point> known_start(const Scene& scene,
   if (!slope) return std::nullopt;
   const TurningPoint<double> at = resting_at(scene, *slope);
   return Point{at.x, at.z};
+}
+
+/// Whether a place alone bounds the energy that is left there.
+bool has_bounded_energy(const World& world) {
+  return world.start_speed == 0.0 &&
+         (!world.field_varies() || turning_centre(world));
 }
 
 /// States of a path: the square that its centre is in, and how far it has come
@@ -52,7 +60,13 @@ class Squares {
     }
     const int steps = turning ? steps_of_turn(scene, across_) : 1;
     for (int step = 0; step < steps; ++step) {
-      highest_.push_back(highest_in(step, steps));
+      sectors_.push_back(sector(step, steps));
+    }
+    deepest_ = turning_centre(scene.world);
+    if (start && has_bounded_energy(scene.world)) {
+      const InPlane<double> mass =
+          place_of_mass(scene.body, start->x, start->z, scene.body.theta_m);
+      mass_at_start_ = Point{mass.x, mass.z};
     }
   }
 
@@ -129,7 +143,7 @@ class Squares {
   };
 
   [[nodiscard]] int num_steps() const {
-    return static_cast<int>(highest_.size());
+    return static_cast<int>(sectors_.size());
   }
   [[nodiscard]] int index_of(const State& state) const {
     return state.i + across_ * (state.k + across_ * state.step);
@@ -173,27 +187,58 @@ class Squares {
   }
   [[nodiscard]] bool is_open(const State& state) const {
     return !obstructed_[at(state.i + across_ * state.k)] &&
-           !energy_ends(centre(state.i, state.k).z, highest_[at(state.step)]);
+           !energy_ends(centre(state.i, state.k), state.step);
   }
-  /// The largest sin θ on a step of the turn.
-  [[nodiscard]] double highest_in(int step, int steps) const {
-    constexpr double kTurn = 2.0 * std::numbers::pi, kTop = 0.25 * kTurn;
-    if (steps == 1) return 1.0;
+  /// Unit vectors from the centre to the mass where a step of the turn begins
+  /// and ends; on the only step it is anywhere.
+  struct Sector {
+    Point from, to;
+  };
+  [[nodiscard]] Point to_mass(double theta) const {
+    return {std::cos(theta), std::sin(theta)};
+  }
+  [[nodiscard]] Sector sector(int step, int steps) const {
+    constexpr double kTurn = 2.0 * std::numbers::pi;
     const double from = scene_.body.theta_m + kTurn * step / steps;
-    const double to = scene_.body.theta_m + kTurn * (step + 1) / steps;
-    const double top = kTop + kTurn * std::ceil((from - kTop) / kTurn);
-    return top <= to ? 1.0 : std::max(std::sin(from), std::sin(to));
+    return {to_mass(from), to_mass(from + kTurn / steps)};
   }
-  /// E = z − z_0 + r η (sin θ − sin θ_m).
-  [[nodiscard]] bool energy_ends(double z, double sin_theta) const {
-    if (!scene_.world.ordinary() || !start_) return false;
-    const Body& body = scene_.body;
-    const double most =
-        body.radius * body.eta_m * (sin_theta - std::sin(body.theta_m));
-    return z - start_->z + most < -half_diagonal();
+  /// The largest part that any of them has along a unit vector.
+  [[nodiscard]] double most_along(Point d, int step) const {
+    if (num_steps() == 1) return 1.0;
+    const auto& [from, to] = sectors_[at(step)];
+    const bool between =
+        from.x * d.z - from.z * d.x >= 0.0 && d.x * to.z - d.z * to.x >= 0.0;
+    return between
+               ? 1.0
+               : std::max(from.x * d.x + from.z * d.z, to.x * d.x + to.z * d.z);
   }
+  /// Whether it does wherever in a square the centre is: the potential of the
+  /// mass would be higher than where it rested, and neither air nor losses give
+  /// any energy. A field with a centre is the lower the nearer that is.
+  [[nodiscard]] bool energy_ends(Point here, int step) const {
+    if (!mass_at_start_) return false;
+    const double r_m = scene_.body.radius * scene_.body.eta_m;
+    Point lowest = here;
+    if (deepest_) {
+      const double far = brachisto::distance(here, *deepest_);
+      const Point d{(deepest_->x - here.x) / far, (deepest_->z - here.z) / far};
+      const double squared =
+          far * far + r_m * (r_m - 2.0 * far * most_along(d, step));
+      const double nearest =
+          std::max(0.0, std::sqrt(std::max(0.0, squared)) - half_diagonal());
+      lowest = {deepest_->x - nearest * d.x, deepest_->z - nearest * d.z};
+    } else {
+      lowest.z += r_m * most_along({0.0, 1.0}, step) + half_diagonal();
+    }
+    return potential_fall(scene_, *mass_at_start_, lowest) < 0.0;
+  }
+  /// In all of the half-plane above the squares.
   [[nodiscard]] bool energy_ends_above() const {
-    return energy_ends(centre(0, 0).z, 1.0);
+    if (deepest_ && deepest_->z <= top_) return false;
+    const Point nearest{deepest_ ? deepest_->x : left_, top_};
+    return std::ranges::all_of(std::views::iota(0, num_steps()), [&](int step) {
+      return energy_ends(nearest, step);
+    });
   }
   [[nodiscard]] bool floor_ends_below() const {
     return floor_ - centre(0, across_ - 1).z < -half_diagonal();
@@ -212,10 +257,12 @@ class Squares {
 
   const Scene& scene_;
   std::optional<Point> start_;
+  std::optional<Point> mass_at_start_;  ///< if energy is known to end
+  std::optional<Point> deepest_;        ///< where the field is turned about
   int across_;
   double side_ = 0.0, left_ = 0.0, top_ = 0.0, floor_;
   std::vector<bool> obstructed_;  ///< by square
-  std::vector<double> highest_;   ///< sin θ, by step of the turn
+  std::vector<Sector> sectors_;   ///< by step of the turn
   std::vector<bool> seen_;        ///< by state
 };
 
@@ -230,7 +277,8 @@ bool way_is_open(const Scene& scene,
   const std::optional<Point> start = known_start(scene, limits);
   // Only of energy from a known place the turn tells more.
   const bool turning = start && scene.body.off_centred() &&
-                       scene.world.ordinary() && contact_radius(scene) > 0.0;
+                       has_bounded_energy(scene.world) &&
+                       contact_radius(scene) > 0.0;
   return Squares(scene, limits, start, false).joins() &&
          (!turning || Squares(scene, limits, start, true).joins());
 }

@@ -14,8 +14,8 @@
 namespace brachisto {
 
 /// False only if there is none: squares of the plane in which the centre breaks
-/// a limit of the place everywhere, or, in an ordinary world, has less than no
-/// kinetic energy, part where it starts from where it ends. An off-centred body
+/// a limit of the place everywhere, or, if it is let go from rest, has less than
+/// no kinetic energy, part where it starts from where it ends. An off-centred body
 /// has to lift its mass as it turns, θ = θ_m + s/r, and may not come to where
 /// it could go on. A way that is left may be too sharp, too steep or too narrow
 /// all the same. What lies further off than L, H and r on every side counts as

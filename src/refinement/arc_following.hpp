@@ -32,6 +32,10 @@ struct Followed {
   [[nodiscard]] bool arrived() const { return path && share == 1.0; }
 };
 
+/// Steps of Newton's method along one way: those that lead anywhere take a few
+/// hundred.
+inline constexpr int kMostFollowingSteps = 800;
+
 /// Follows a path while limits and scene change, with arcs corrected and
 /// contacts closed at every step; one that leads nowhere is made shorter.
 ///

@@ -53,8 +53,8 @@ std::optional<LimitedAnswer> refined(FittedPath path,
 
 FromMesh without_its_arcs(const LimitedCurve& coarse,
                           const Discretisation& wanted,
-                          const std::function<IpoptOptions()>& left,
-                          ArcSearch& search, PassProtocol& protocol) {
+                          const IpoptOptions& options, ArcSearch& search,
+                          PassProtocol& protocol) {
   FromMesh out;
   const double most_work = protocol.most_work;
   for (const First first : {First::DrawnIn, First::Finer}) {
@@ -63,8 +63,8 @@ FromMesh without_its_arcs(const LimitedCurve& coarse,
       protocol.most_work -= kLeft * (most_work - protocol.work);
     }
     SolvedWithoutArcs solved = solve_without_arcs(
-        coarse, wanted.tolerance.value_or(kToleranceWithoutArcs), left(),
-        protocol, first);
+        coarse, wanted.tolerance.value_or(kToleranceWithoutArcs),
+        protocol.left(options), protocol, first);
     if (solved.finest() && !protocol.stopped()) {
       out.path = arcs_from(*solved.finest(), kArcDegree, search, protocol);
     }
@@ -101,8 +101,7 @@ LimitedRefinement refine_from_mesh(const LimitedCurve& mesh,
   if (!answer && !wanted.fixed() && !protocol.stopped() &&
       protocol.status != Status::NoFastestTrack) {
     protocol.most_work = kMostSearchWork;
-    without = without_its_arcs(
-        mesh, wanted, [&] { return options.ipopt; }, search, protocol);
+    without = without_its_arcs(mesh, wanted, options.ipopt, search, protocol);
     protocol.most_work = std::numeric_limits<double>::infinity();
     if (without.path) {
       answer = refined(*std::move(without.path), wanted, search, protocol);

@@ -6,7 +6,6 @@
 
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -46,11 +45,12 @@ struct FromMesh {
 /// anywhere.
 ///
 /// \param coarse  as solve_without_arcs() has it
-/// \param left    the iterations that each may take
-[[nodiscard]] FromMesh without_its_arcs(
-    const LimitedCurve& coarse, const Discretisation& wanted,
-    const std::function<IpoptOptions()>& left, ArcSearch& search,
-    PassProtocol& protocol);
+/// \param options of the solver, with the iterations of the protocol
+[[nodiscard]] FromMesh without_its_arcs(const LimitedCurve& coarse,
+                                        const Discretisation& wanted,
+                                        const IpoptOptions& options,
+                                        ArcSearch& search,
+                                        PassProtocol& protocol);
 
 /// The mesh itself as the answer, which the protocol tells.
 [[nodiscard]] LimitedAnswer answer_without_arcs(const PathWithoutArcs& found,

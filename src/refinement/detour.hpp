@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "brachisto/model/scene.hpp"
@@ -19,6 +20,11 @@ namespace brachisto {
 struct RoughPath {
   double rolling_time;
   std::vector<TurningPoint<double>> places;
+  /// That its ends are built from, if these are not those of the free extremal.
+  struct Slopes {
+    double at_A, at_B;
+  };
+  std::optional<Slopes> slopes;
 
   /// \param sigma  in [0, 1]
   [[nodiscard]] TurningPoint<double> at(double sigma) const;

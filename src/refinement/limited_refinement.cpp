@@ -20,10 +20,10 @@
 #include "refinement/arc_following.hpp"
 #include "refinement/arc_search.hpp"
 #include "refinement/arcs_from_mesh.hpp"
-#include "refinement/open_conditions.hpp"
+#include "refinement/cold_paths.hpp"
+#include "refinement/limited_ways.hpp"
 #include "refinement/surface_passages.hpp"
 #include "refinement/tightening.hpp"
-#include "refinement/without_arcs.hpp"
 
 namespace brachisto {
 
@@ -37,7 +37,7 @@ class LimitedSolve {
       : LimitedSolve(scene, wanted, options) {
     free_ = &free;
     phi_ = phi;
-    tightening_.emplace(scene, free, phi, options.ipopt, protocol_);
+    ways_.emplace(scene_, wanted_, free, phi, options_, protocol_);
   }
   /// Beside a path of another scene.
   LimitedSolve(const Scene& scene, const Discretisation& wanted,
@@ -50,26 +50,32 @@ class LimitedSolve {
 
   LimitedRefinement run() {
     protocol_.most_work = kSearchAsAsked * kMostSearchWork;
-    tries("from the free path");
-    refine(find_arcs());
-    if (!answer_ && !tried_mesh_ && !ended()) refine(from_mesh());
-    const bool none = protocol_.status == Status::NoFastestTrack;
-    if (answer_ || none || protocol_.stop.met()) return finished();
-    if (mesh_) {
-      take_mesh();
+    refine(ways_->find());
+    if (!answer_ && !ways_->ended()) refine(ways_->from_mesh());
+    if (answer_ || protocol_.status == Status::NoFastestTrack ||
+        protocol_.stop.met()) {
+      return finished();
+    }
+    if (ways_->mesh()) {
+      answer_ = answer_without_arcs(*ways_->mesh(), protocol_);
     } else {
       if (protocol_.worked_enough()) {
-        tries("until its share of work was used up");
+        protocol_.tries("until its share of work was used up");
         // That of an empty set takes all of it; the proof takes none.
         if (protocol_.status != Status::NoAdmissiblePath) {
-          tightening_->is_shut();
+          ways_->tightening().is_shut();
         }
       }
-      protocol_.most_work = kSearchWaves * kMostSearchWork;
-      come_from_waves();
-      protocol_.most_work = kSearchLooser * kMostSearchWork;
-      if (!answer_) come_from_looser();
+      if (protocol_.status != Status::NoAdmissiblePath) come_from_random();
     }
+    if (!answer_) {
+      protocol_.most_work = kSearchLooser * kMostSearchWork;
+      come_from_looser();
+    }
+    return finished();
+  }
+  LimitedRefinement run_cold() {
+    come_from_random();
     return finished();
   }
   LimitedRefinement run_beside(const FittedPath& neighbour, double most_work) {
@@ -87,9 +93,8 @@ class LimitedSolve {
  private:
   [[nodiscard]] LimitedRefinement finished() {
     std::optional<BlockingLimit> blocking;
-    if (!answer_ && tightening_ &&
-        protocol_.status != Status::NoSmoothContact) {
-      blocking = tightening_->blocking();
+    if (!answer_ && ways_ && protocol_.status != Status::NoSmoothContact) {
+      blocking = ways_->tightening().blocking();
     }
     if (protocol_.status != Status::Solved && passes_surface()) {
       protocol_.message += fmt::format(
@@ -99,103 +104,48 @@ class LimitedSolve {
     }
     const double work = protocol_.work;
     if (protocol_.worked_enough()) {
-      tries("until all the work of a search was used up");
+      protocol_.tries("until all the work of a search was used up");
     }
+    std::vector<std::string> tried = std::move(protocol_.tried);
     return {std::move(protocol_).finished(),
             std::move(answer_),
             std::move(blocking),
             std::move(loosened_),
             work,
-            std::move(tried_)};
+            std::move(tried)};
   }
 
   /// Whether the best path that was found does.
   [[nodiscard]] bool passes_surface() const {
-    const LimitedCurve* curve = answer_       ? &answer_->path.curve
-                                : tightening_ ? tightening_->any()
-                                              : nullptr;
+    const LimitedCurve* curve = answer_ ? &answer_->path.curve
+                                : ways_ ? ways_->tightening().any()
+                                        : nullptr;
     return curve != nullptr && !surface_passages(*curve).empty();
   }
 
-  [[nodiscard]] std::optional<FittedPath> find_arcs() {
-    const PhaseTimer timer(Phase::Start);
-    const bool tightened = tightening_->tighten();
-    std::optional<FittedPath> path;
-    if (tightened) path = with_share(0.5, [&] { return read_off(); });
-    const auto settled = [&] { return path || mesh_ || ended(); };
-    if (settled() || protocol_.status == Status::NoAdmissiblePath) return path;
-    Status status = protocol_.status;
-    std::string message = tightened ? only_on_coarse_mesh() : protocol_.message;
-    // Each leaves some work to those that come after it.
-    if (tightened) path = with_share(0.6, [&] { return from_mesh(); });
-    if (!settled() && tightening_->is_shut()) return path;
-    if (!settled() && (tightened || status != Status::Infeasible)) {
-      path = with_share(0.4, [&] { return follow_from_loosest(); });
-      message += followed();
-    }
-    if (!settled() && tightened) path = bracketed();
-    if (protocol_.status == Status::NoSmoothContact) {
-      status = protocol_.status;
-      message = protocol_.message;
-    }
-    while (!settled() && goes_elsewhere()) {
-      path = read_off();
-      if (!settled()) path = bracketed();
-      // That one way is shut is no verdict where another one is open.
-      const bool shut = !tightened || status == Status::NoSmoothContact;
-      if (!path && shut && protocol_.status != status) {
-        status = Status::NotConverged;
-        message = only_on_coarse_mesh();
-      }
-    }
-    const bool said = path || protocol_.status == Status::NoFastestTrack;
-    if (!said && !protocol_.stop.met()) {
-      protocol_.fail(status, message);  // of the first attempt that has one
-    }
-    return path;
-  }
-  [[nodiscard]] std::string only_on_coarse_mesh() const {
-    return fmt::format(
-        "a path on a coarse mesh keeps the limits, with τ about {:.4g}, but "
-        "where they begin and cease to hold was not found: {}",
-        tightening_->tight()->transit_time() / std::sqrt(scene_.H),
-        protocol_.message);
-  }
-
-  /// Where the contact at B could not be followed.
-  [[nodiscard]] std::optional<FittedPath> bracketed() {
-    if (!end_is_sought(scene_)) return {};
-    tries("with the slope at B held at one value after the other");
-    if (!tightening_->bracket_contact()) return {};
-    return read_off();
-  }
-  [[nodiscard]] bool goes_elsewhere() {
-    tries("from paths that lead elsewhere");
-    return tightening_->tighten_elsewhere();
-  }
-
-  /// What the program finds next to a path that keeps looser limits.
-  [[nodiscard]] std::optional<FittedPath> from_nearby(const FittedPath& path) {
-    if (stopped() || !tightening_->tighten_from(path.curve)) return {};
-    return read_off();
-  }
-
-  /// Under the limits asked for, from paths that have little to do with the
-  /// free one.
-  void come_from_waves() {
-    constexpr int kWaves = 4;  // with half of the work that is left, each
-    if (protocol_.status == Status::NoAdmissiblePath) return;
-    tries("from random paths");
+  /// Under the limits asked for, from paths that owe nothing to the free one.
+  void come_from_random() {
+    constexpr int kStarts = 6;
+    protocol_.tries("from random paths");
     const Status status = protocol_.status;
     const std::string message = protocol_.message;
-    for (const RoughPath& wavy : waves(scene_, *free_, kWaves)) {
+    // An empty set takes no more than the starts.
+    protocol_.most_work = protocol_.work + kSearchCold * kMostSearchWork;
+    const std::vector<LimitedCurve> found =
+        cold_paths(scene_, *free_, phi_, options_.ipopt, kStarts,
+                   kSearchCold / kStarts * kMostSearchWork, protocol_);
+    protocol_.most_work = protocol_.work + kSearchFromCold * kMostSearchWork;
+    for (const LimitedCurve& curve : found) {
       if (stopped()) break;
-      const auto path = path_under(
-          0.0,
-          [&](Tightening& tightening) { return tightening.tighten_from(wavy); },
-          0.5);
+      const auto path = path_under(0.0, [&](Tightening& tightening) {
+        tightening.take_tight(curve);
+        return true;
+      });
       if (path) take(*path);
-      if (answer_) return;
+      if (!answer_) continue;
+      protocol_.message +=
+          ". The path was found from a random one; others may be faster";
+      return;
     }
     protocol_.fail(status, message);
   }
@@ -209,106 +159,18 @@ class LimitedSolve {
     if (found) answer_ = std::move(found);
     protocol_.most_work = most_work;
   }
-  void tries(const char* way) {
-    if (std::ranges::find(tried_, way) == tried_.end()) {
-      tried_.emplace_back(way);
-    }
-  }
   [[nodiscard]] bool stopped() const { return protocol_.stopped(); }
-  /// What is found with no more than a share of the work that is left.
-  [[nodiscard]] std::optional<FittedPath> with_share(
-      double share, const std::function<std::optional<FittedPath>()>& find) {
-    const double most_work = protocol_.most_work;
-    if (std::isfinite(most_work)) {
-      protocol_.most_work -= (1.0 - share) * (most_work - protocol_.work);
-    }
-    auto found = find();
-    protocol_.most_work = most_work;
-    return found;
-  }
-  /// Whether nothing else is to be tried.
-  [[nodiscard]] bool ended() const {
-    return stopped() || protocol_.status == Status::NoFastestTrack;
-  }
-
-  /// From what the interior-point method found.
-  [[nodiscard]] std::optional<FittedPath> read_off() {
-    auto path = arcs_from(tightening_->last());
-    if (!path && !ended() && tightening_->solve_finer()) {
-      path = arcs_from(tightening_->last());
-    }
-    return path;
-  }
-  [[nodiscard]] std::optional<FittedPath> arcs_from(const LimitedCurve& mesh) {
-    return brachisto::arcs_from(mesh, kArcDegree, arcs_, protocol_);
-  }
-
-  /// Steps of Newton's method along one way: those that lead anywhere take a
-  /// few hundred. Fewer where there is an answer already.
-  static constexpr int kMostFollowingSteps = 800, kFewFollowingSteps = 100;
   [[nodiscard]] Followed followed_by(
       std::optional<FittedPath> path,
       const std::function<Stage(double share)>& stage_at, WaySteps steps) {
     return follow(std::move(path), stage_at, steps, kArcDegree,
-                  mesh_ ? kFewFollowingSteps : kMostFollowingSteps, arcs_,
-                  protocol_);
-  }
-
-  /// How far follow_from_loosest() came.
-  [[nodiscard]] std::string followed() const {
-    if (!(reached_ > 0.0)) return {};
-    std::string where;
-    for (const PathInequality& limit : tightening_->relaxation().at(reached_)) {
-      if (limit.kind != PathInequality::Kind::FrictionForward) continue;
-      where = fmt::format(", to friction {:.3g}", limit.number);
-    }
-    return fmt::format(
-        ". From limits that the free path keeps it was followed {:.3g} of the "
-        "way to these{}; not further",
-        reached_, where);
-  }
-
-  /// From the loosest limits.
-  [[nodiscard]] std::optional<FittedPath> follow_from_loosest() {
-    const LimitRelaxation& relaxation = tightening_->relaxation();
-    tries("from limits that the free path keeps");
-    if (!tightening_->solve_loosest()) return std::nullopt;
-    const LimitedCurve loosest = tightening_->last();
-    Followed way = followed_by(
-        arcs_.fit_corrected(
-            loosest,
-            {relaxation.at(0.0), arcs_of(loosest), loosest.problem().ends()},
-            kArcDegree),
-        [&](double share) { return Stage{relaxation.at(share)}; },
-        {.first = 0.05});
-    reached_ = way.share;
-    if (!way.arrived()) {
-      return way.path ? from_nearby(*way.path) : std::nullopt;
-    }
-    return std::move(way.path);
-  }
-
-  // ---- On a mesh that knows no arcs; arcs are read off where it is finest.
-
-  [[nodiscard]] std::optional<FittedPath> from_mesh() {
-    tried_mesh_ = true;
-    if (!tightening_->tight() || wanted_.fixed()) return {};
-    tries("on meshes that know no arcs");
-    FromMesh found = without_its_arcs(
-        *tightening_->tight(), wanted_, [&] { return left(); }, arcs_,
-        protocol_);
-    mesh_ = std::move(found.mesh);
-    return std::move(found.path);
-  }
-  void take_mesh() {
-    answer_.emplace(answer_without_arcs(*mesh_, protocol_));
-    loosened_.clear();
+                  kMostFollowingSteps, arcs_, protocol_);
   }
 
   // ---- From limits that ask for less, each step an answer to them.
 
   void come_from_looser() {
-    tries("from looser limits");
+    protocol_.tries("from looser limits");
     double share = 0.25;  // of the work, for each of them
     for (const double by : {0.05, 0.2, 0.6, 1.0}) {
       auto path = path_under(by, &Tightening::tighten, share);
@@ -319,38 +181,28 @@ class LimitedSolve {
   }
 
   /// With the iterations that are left.
-  [[nodiscard]] IpoptOptions left() const {
-    IpoptOptions ipopt = options_.ipopt;
-    for (const MeshRecord& mesh : protocol_.meshes) {
-      ipopt.max_iterations -= mesh.iterations;
-    }
-    ipopt.max_iterations =
-        std::max(0, ipopt.max_iterations - protocol_.record.iterations);
-    return ipopt;
-  }
-  /// With those too.
   /// \param tighten  from some start
   [[nodiscard]] std::optional<LoosenedPath> path_under(
       double by, const std::function<bool(Tightening&)>& tighten,
       double share = 0.5) {
     const PhaseTimer timer(Phase::Start);
     MeshOptions options = options_;
-    options.ipopt = left();
+    options.ipopt = protocol_.left(options.ipopt);
     if (options.ipopt.max_iterations <= 0) return std::nullopt;
     const Scene looser = loosened(scene_, by);
-    LimitedSolve solve(looser, wanted_, *free_, phi_, options);
-    solve.protocol_.most_work = share * (protocol_.most_work - protocol_.work);
+    PassProtocol protocol(options);
+    protocol.most_work = share * (protocol_.most_work - protocol_.work);
+    LimitedWays ways(looser, wanted_, *free_, phi_, options, protocol);
+    if (by > 0.0 && ways.tightening().is_shut()) return std::nullopt;
     std::optional<FittedPath> path;
-    if (by > 0.0 && solve.tightening_->is_shut()) return std::nullopt;
-    if (tighten(*solve.tightening_)) path = solve.read_off();
-    if (!path && !solve.ended()) path = solve.from_mesh();
-    RefinementProtocol done = std::move(solve.protocol_).finished();
+    if (tighten(ways.tightening())) path = ways.from_tight();
+    protocol_.work += protocol.work;
+    RefinementProtocol done = std::move(protocol).finished();
     std::ranges::move(done.meshes, std::back_inserter(protocol_.meshes));
     protocol_.log += done.log;
-    protocol_.work += solve.protocol_.work;
     if (path) return LoosenedPath{{*std::move(path), {}}, by};
-    if (!solve.mesh_) return std::nullopt;
-    return LoosenedPath{{solve.mesh_->path, solve.mesh_->estimated_error}, by};
+    if (!ways.mesh()) return std::nullopt;
+    return LoosenedPath{{ways.mesh()->path, ways.mesh()->estimated_error}, by};
   }
 
   /// To the limits of the scene, or else the tightest are kept, with the reason
@@ -384,12 +236,9 @@ class LimitedSolve {
   }
   /// What was found under the limits asked for.
   void take(const LoosenedPath& asked) {
-    if (asked.knows_arcs()) {
-      refine(asked.path);
-    } else {
-      answer_ =
-          answer_without_arcs({asked.path, *asked.estimated_error}, protocol_);
-    }
+    if (asked.knows_arcs()) return refine(asked.path);
+    answer_ =
+        answer_without_arcs({asked.path, *asked.estimated_error}, protocol_);
   }
   void follow_tighter() {
     const LoosenedPath from = loosened_.back();
@@ -414,13 +263,9 @@ class LimitedSolve {
   ArcSearch arcs_{protocol_, options_};
   const ExtremalCurve* free_ = nullptr;  ///< where it starts from
   double phi_ = 0.0;
-  std::optional<Tightening> tightening_;
+  std::optional<LimitedWays> ways_;
   std::optional<LimitedAnswer> answer_;
   std::vector<LoosenedPath> loosened_;
-  bool tried_mesh_ = false;
-  std::vector<std::string> tried_;  ///< in words, each once
-  std::optional<PathWithoutArcs> mesh_;
-  double reached_ = 0.0;  ///< share of the way from the loosest limits
 };
 
 }  // namespace
@@ -430,6 +275,13 @@ LimitedRefinement refine_limited(const Scene& scene,
                                  const ExtremalCurve& free, double phi,
                                  MeshOptions options) {
   return LimitedSolve(scene, wanted, free, phi, options).run();
+}
+
+LimitedRefinement refine_limited_cold(const Scene& scene,
+                                      const Discretisation& wanted,
+                                      const ExtremalCurve& elsewhere,
+                                      double phi, MeshOptions options) {
+  return LimitedSolve(scene, wanted, elsewhere, phi, options).run_cold();
 }
 
 std::optional<LimitedRefinement> refine_limited_beside(

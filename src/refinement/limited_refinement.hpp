@@ -20,10 +20,11 @@ namespace brachisto {
 /// times the equations that each of them solves.
 inline constexpr double kMostSearchWork = 1.7e7;
 /// The shares of it after which the limits asked for are given up, from what
-/// the free path leads to and from random ones, and looser limits; the rest is
-/// for making these exact.
-inline constexpr double kSearchAsAsked = 0.52, kSearchWaves = 0.66,
-                        kSearchLooser = 0.95;
+/// the free path leads to, and looser limits; the rest is for making these
+/// exact.
+inline constexpr double kSearchAsAsked = 0.52, kSearchLooser = 0.95;
+/// The shares that random starts may take in between, and what they lead to.
+inline constexpr double kSearchCold = 0.12, kSearchFromCold = 0.15;
 /// The share that certifying a looser path has at the least, should the search
 /// have gone beyond its own.
 inline constexpr double kCertifyLooser = 0.1;
@@ -72,6 +73,14 @@ struct LimitedRefinement : RefinementProtocol {
                                                const Discretisation& wanted,
                                                const ExtremalCurve& free,
                                                double phi, MeshOptions options);
+
+/// From random paths alone, for a scene whose free extremal was not reached.
+///
+/// \param elsewhere  an extremal of another world, with the end angle φ: a
+///                   measure of sizes
+[[nodiscard]] LimitedRefinement refine_limited_cold(
+    const Scene& scene, const Discretisation& wanted,
+    const ExtremalCurve& elsewhere, double phi, MeshOptions options);
 
 /// The same from the path of a neighbouring scene, whose arcs are fitted and
 /// corrected under the limits of this one, or all along the way there: arcs are

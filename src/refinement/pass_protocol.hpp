@@ -8,9 +8,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "brachisto/run/solve_options.hpp"
 #include "refinement/refinement.hpp"
@@ -26,10 +29,18 @@ struct PassProtocol : RefinementProtocol {
   /// that a search may take: unlike a limit of time, the same on all machines.
   double work = 0.0, most_work = std::numeric_limits<double>::infinity();
 
+  int most_iterations;             ///< of Ipopt, in all passes
+  std::vector<std::string> tried;  ///< ways, in words, each once
   StopCondition stop;
 
   explicit PassProtocol(const MeshOptions& options)
-      : progress(options.progress), stop(options.ipopt.stop) {}
+      : progress(options.progress),
+        most_iterations(options.ipopt.max_iterations),
+        stop(options.ipopt.stop) {}
+
+  void tries(const char* way) {
+    if (std::ranges::find(tried, way) == tried.end()) tried.emplace_back(way);
+  }
 
   /// \return false, for callers that tell so whether they found anything
   bool fail(Status why, std::string text) {
@@ -44,6 +55,39 @@ struct PassProtocol : RefinementProtocol {
     work += static_cast<double>(steps) *
             (problem.num_variables() + problem.num_constraints());
   }
+  /// With the iterations that are left.
+  [[nodiscard]] IpoptOptions left(IpoptOptions ipopt) const {
+    int iterations = most_iterations - record.iterations;
+    for (const MeshRecord& mesh : meshes) iterations -= mesh.iterations;
+    ipopt.max_iterations = std::max(0, iterations);
+    return ipopt;
+  }
+  /// While it lives no more than a share of the work and the iterations that
+  /// are left may be used.
+  class Share {
+   public:
+    Share(PassProtocol& protocol, double share)
+        : protocol_(protocol),
+          work_(protocol.most_work),
+          iterations_(protocol.most_iterations) {
+      if (std::isfinite(work_)) {
+        protocol.most_work -= (1.0 - share) * (work_ - protocol.work);
+      }
+      protocol.most_iterations -=
+          static_cast<int>((1.0 - share) * protocol.left({}).max_iterations);
+    }
+    Share(const Share&) = delete;
+    Share& operator=(const Share&) = delete;
+    ~Share() {
+      protocol_.most_work = work_;
+      protocol_.most_iterations = iterations_;
+    }
+
+   private:
+    PassProtocol& protocol_;
+    double work_;
+    int iterations_;
+  };
   /// Of Newton's method, in all passes.
   [[nodiscard]] int newton_steps() const {
     int steps = record.newton_steps;

@@ -17,6 +17,7 @@
 #include "model/passage.hpp"
 #include "nlp/elastic.hpp"
 #include "refinement/open_conditions.hpp"
+#include "refinement/random_path.hpp"
 #include "refinement/turn_meshes.hpp"
 #include "refinement/without_arcs.hpp"
 
@@ -96,6 +97,7 @@ bool Tightening::take(const LimitedTime& problem, SolverResult result) {
 
 PrimalDual Tightening::start_of(const LimitedTime& problem) const {
   if (last_) return prolong(*last_, problem);
+  if (rough_ && rough_->slopes) return start_on(problem, *rough_);
   if (rough_) {
     return sample_at_mesh(
         problem, rough_->rolling_time, [&](double sigma) -> LimitedPoint {
@@ -120,13 +122,9 @@ bool Tightening::solve_rigid(const Inequalities& limits, const Mesh& mesh,
   return take(problem, run(problem, start_of(problem), kComplementarity));
 }
 
-std::vector<double> Tightening::give_of(LimitedTime& problem,
-                                        const std::vector<double>& x) const {
-  constexpr double kLeast = 0.1;
+std::vector<double> Tightening::give_of_rows(
+    const LimitedTime& problem, const std::vector<double>& most) const {
   std::vector<double> give(at(problem.num_constraints()), 0.0);
-  if (!problem.set_point(x)) return give;
-  std::vector<double> g(give.size());
-  problem.eval_g(g);
   const VariableLayout& layout = problem.layout();
   for (int i = 0; i < layout.num_limits(); ++i) {
     // Without it the slopes of Contact::Optimal have no meaning.
@@ -134,20 +132,32 @@ std::vector<double> Tightening::give_of(LimitedTime& problem,
         problem.limits()[at(i)].kind == PathInequality::Kind::Hump) {
       continue;
     }
-    double most = kLeast;
-    for (int c = 0; c < layout.num_points(); ++c) {
-      const int row = layout.limit(c, i);
-      const nlp::Range range = problem.constraint_range(row);
-      most =
-          std::max({most, range.lower - g[at(row)], g[at(row)] - range.upper});
-    }
     const auto gives = [&](int row) {
-      if (problem.constraint_range(row).bounded()) give[at(row)] = most;
+      if (problem.constraint_range(row).bounded()) give[at(row)] = most[at(i)];
     };
     for (int c = 0; c < layout.num_points(); ++c) gives(layout.limit(c, i));
     if (i < layout.num_start_rows()) gives(layout.start_row(i));
   }
   return give;
+}
+
+std::vector<double> Tightening::give_of(LimitedTime& problem,
+                                        const std::vector<double>& x) const {
+  constexpr double kLeast = 0.1;
+  const VariableLayout& layout = problem.layout();
+  std::vector<double> most(problem.limits().size(), kLeast);
+  std::vector<double> g(at(problem.num_constraints()));
+  if (!problem.set_point(x)) return std::vector<double>(g.size(), 0.0);
+  problem.eval_g(g);
+  for (int i = 0; i < layout.num_limits(); ++i) {
+    for (int c = 0; c < layout.num_points(); ++c) {
+      const int row = layout.limit(c, i);
+      const nlp::Range range = problem.constraint_range(row);
+      most[at(i)] = std::max(
+          {most[at(i)], range.lower - g[at(row)], g[at(row)] - range.upper});
+    }
+  }
+  return give_of_rows(problem, most);
 }
 
 bool Tightening::solve_elastic(const LimitedEnds& ends, double price) {
@@ -171,8 +181,18 @@ bool Tightening::solve_elastic(const LimitedEnds& ends, double price) {
   return true;
 }
 
+LimitedEnds Tightening::known_ends() const {
+  if (last_) return last_->problem().ends();
+  LimitedEnds ends = first_ends_;
+  if (rough_ && rough_->slopes) {
+    ends.phi = scene_.end_slope.value_or(rough_->slopes->at_B);
+    ends.start = rough_->slopes->at_A;
+  }
+  return ends;
+}
+
 std::optional<LimitedEnds> Tightening::next_ends(const Inequalities& limits) {
-  LimitedEnds ends = last_ ? last_->problem().ends() : first_ends_;
+  LimitedEnds ends = known_ends();
   ends.corner.reset();
   if (ends.free_contacts) return ends;
   if (end_is_sought(scene_) && last_ && !end_held_) {
@@ -274,6 +294,37 @@ bool Tightening::tighten_from(RoughPath path) {
   rough_ = std::move(path);
   end_held_ = false;
   return tighten();
+}
+
+bool Tightening::tighten_cold(RoughPath path) {
+  constexpr int kDegree = 3, kElements = 30, kMostPasses = 15;
+  constexpr double kGive = 1.0, kPrice = 1e3, kNone = 1e-6;
+  constexpr double kClosed = 1e-4, kTurn = 0.3;
+  last_.reset();
+  rough_ = std::move(path);
+  mesh_ = uniform_mesh(kDegree, kElements);
+  end_held_ = false;
+  given_way_ = 1.0;
+  give_.clear();
+  for (int i = 0; i < kMostPasses && has_more(); ++i) {
+    auto ends = next_ends(limits_);
+    if (!ends) return none_at_rest();
+    if (last_) {
+      const double phi = last_->problem().ends().phi;
+      ends->phi = phi + std::clamp(ends->phi - phi, -kTurn, kTurn);
+    }
+    if (give_.empty()) {
+      give_ = give_of_rows(LimitedTime(scene_, limits_, mesh_, *ends),
+                           std::vector<double>(limits_.size(), kGive));
+    }
+    if (!solve_elastic(*ends, kPrice)) return false;
+    if (end_is_sought(scene_) && std::abs(held().open) > kClosed) continue;
+    if (given_way_ > kNone) return none_found();
+    tight_ = last_;
+    protocol_.keep_record("limits", last_->transit_time());
+    return true;
+  }
+  return protocol_.fail(Status::NotConverged, "the contact at B stays open");
 }
 
 bool Tightening::tighten_elsewhere() {

@@ -58,9 +58,17 @@ class Tightening {
   [[nodiscard]] bool tighten_from(const LimitedCurve& nearby);
   [[nodiscard]] bool tighten_from(RoughPath path);
 
-  /// The same from the next of other_ways() that leads to the limits of the
-  /// scene. False if none of those that are left does, or half of the
-  /// iterations are used up.
+  /// To the limits of the scene from a path that owes nothing to the free one:
+  /// on a mesh of few elements at once at a high price, for at a low one the
+  /// path would come near the free one first. The contact is closed.
+  [[nodiscard]] bool tighten_cold(RoughPath path);
+
+  /// Goes on from a path that keeps the limits of the scene.
+  void take_tight(const LimitedCurve& found) { last_ = tight_ = found; }
+
+  /// The same as tighten() from the next of other_ways() that leads to the
+  /// limits of the scene. False if none of those that are left does, or half of
+  /// the iterations are used up.
   [[nodiscard]] bool tighten_elsewhere();
 
   /// The same from the solution under limits that are looser.
@@ -141,6 +149,12 @@ class Tightening {
   /// By how much each limit gives way, at most, for a start to keep it.
   [[nodiscard]] std::vector<double> give_of(LimitedTime& problem,
                                             const std::vector<double>& x) const;
+  /// Of all constraints.
+  /// \param most  of each limit
+  [[nodiscard]] std::vector<double> give_of_rows(
+      const LimitedTime& problem, const std::vector<double>& most) const;
+  /// As the last solution has them, or else the path that is started from.
+  [[nodiscard]] LimitedEnds known_ends() const;
   /// Ends for limits, as the last solution suggests them.
   [[nodiscard]] std::optional<LimitedEnds> next_ends(
       const Inequalities& limits);

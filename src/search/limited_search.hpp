@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "refinement/cold_paths.hpp"
 #include "refinement/mesh_solve.hpp"
 #include "search/global_search.hpp"
 #include "transcription/limited_curve.hpp"
@@ -23,9 +24,6 @@ struct LimitedSearch {
   /// What the search left undone because its work is bounded; empty if nothing.
   std::string remark;
 };
-
-/// Whether two paths are nowhere further apart than what coarse meshes err by.
-[[nodiscard]] bool alike(const LimitedCurve& a, const LimitedCurve& b);
 
 /// No more extremals without limits are started from.
 inline constexpr std::size_t kMostFreeStarts = 8;

@@ -61,6 +61,8 @@ void refine_pieces(const PosedProblem& posed, const Start& start,
                    Solution& out);
 void refine_under_limits(const PosedProblem& posed, const Start& start,
                          Solution& out);
+void refine_cold_under_limits(const PosedProblem& posed, const Start& start,
+                              Solution& out);
 
 }  // namespace
 
@@ -145,7 +147,12 @@ void solve_program(const PosedProblem& posed, const Start& start,
     return posed.limited ? search_under_limits(posed, start, out)
                          : search_contacts(posed, start, out);
   }
-  if (!start.curve) return;
+  if (!start.curve) {
+    if (start.ordinary && start.status != Status::NoAdmissiblePath) {
+      refine_cold_under_limits(posed, start, out);
+    }
+    return;
+  }
   if (posed.limited) return refine_under_limits(posed, start, out);
   if (posed.program.guess != Guess::Cycloid && posed.cycloid) {
     record(start_elsewhere(posed, start, out.effort), out);
@@ -367,6 +374,16 @@ void refine_pieces(const PosedProblem& posed, const Start& start,
   record(refinement, out);
   if (!refinement.answer || posed.stop().met()) return;
   conclude(posed, *refinement.answer, start, out);
+}
+
+void refine_cold_under_limits(const PosedProblem& posed, const Start& start,
+                              Solution& out) {
+  const LimitedRefinement found = refine_limited_cold(
+      *posed.limited, posed.program.discretisation, *start.ordinary,
+      start.ordinary_phi, posed.mesh_options_after(out.effort));
+  if (found.answer) return conclude_resolved(posed, found, out);
+  record_work(found, out);
+  out.message += ". From random paths none was found under the limits either";
 }
 
 void refine_under_limits(const PosedProblem& posed, const Start& start,

@@ -200,6 +200,10 @@ Start start_from_cycloid(const PosedProblem& posed) {
   if (!posed.natural.world.ordinary()) {
     const PhaseTimer timer(Phase::Start);
     if (start.curve) {
+      if (posed.limited) {
+        start.ordinary = start.curve;
+        start.ordinary_phi = start.phi;
+      }
       static_cast<Continuation&>(start) = continue_into_world(
           posed.natural, std::move(start), posed.stop(), posed.progress());
     }

@@ -20,6 +20,10 @@ namespace brachisto {
 struct Start : Continuation {
   std::vector<double> folds;                    ///< see Solution::folds
   std::optional<double> continued_from_L = {};  ///< see Solution
+  /// In the ordinary world, with its φ, where none was reached in this one and
+  /// a scene with limits may have a path all the same.
+  std::optional<ExtremalCurve> ordinary = {};
+  double ordinary_phi = 0.0;
 };
 
 /// The principal branch. Where its continuation in natural parameters is stuck,

@@ -79,6 +79,55 @@ TEST(Passage, IsShutIfTheBodyCannotTurnOver) {
   EXPECT_TRUE(open(-3.0 * kSquare));
 }
 
+/// From rest it comes no further from the centre of a sphere than it began. On
+/// a circle about that centre through A, B is reached with nothing left; a
+/// floor keeps the centre from passing B below.
+TEST(Passage, IsShutWhereBLiesHigherInTheFieldOfASphere) {
+  Scene scene;
+  scene.L = 4.0;
+  scene.H = 1.0;
+  scene.body = Body::cylinder(0.4, 0.0, 0.0, 0.5);
+  scene.limits.floor = 1.0;  // above B the centre is 0.4 higher, φ = 0
+  const auto open = [&](double x) {
+    scene.world.sphere = Sphere{{x, 15.0}, 6.0, 60.0};
+    return way_is_open(scene, inequalities(scene.body, scene.limits));
+  };
+  // It starts at (0.4, 0) and ends at (4, 0.6): the same height where
+  // (x − 0.4)² + 15² = (4 − x)² + 14.4².
+  const double level =
+      (4.0 * 4.0 + 14.4 * 14.4 - 0.4 * 0.4 - 15.0 * 15.0) / (2.0 * (4.0 - 0.4));
+  constexpr double kSquare = 3.0 * 4.4 / 400.0;
+  // For energy, floor and circle about B half a diagonal of a square is left
+  // each, 2.1 squares in all; within the slack h = 1.4 squares of the floor φ
+  // may be √(2 h/r) = 0.48, which takes the centre 0.19 to the left and 0.24
+  // times as much down in this field, 1.4 squares. A step lets B rise by 4.
+  const double step = 4.0 * kSquare * 15.0 / (4.0 - 0.4);
+  EXPECT_TRUE(open(level));
+  EXPECT_TRUE(open(level + 1.0));
+  EXPECT_FALSE(open(level - step));
+  scene.world.air.linear = 0.1;  // takes energy alone
+  EXPECT_FALSE(open(level - step));
+  scene.world.start_speed = 3.0;
+  EXPECT_TRUE(open(level - step));
+}
+
+/// A sphere as large as that is a uniform field, for an off-centred body too.
+TEST(Passage, IsShutInALargeSphereWhereItIsInAUniformField) {
+  Scene scene;
+  scene.L = 6.0;
+  scene.H = 0.5;
+  scene.body = Body::cylinder(0.5, 0.4, 0.5 * std::numbers::pi, 0.5);
+  constexpr double kSquare = 3.0 * 6.5 / 400.0;
+  const double lowest = start_of_centre(scene).z + 2.0 * 0.5 * 0.4;
+  scene.world.sphere = Sphere{{0.0, 1e7}, 1e7, scene.gravity};
+  const auto open = [&](double more) {
+    scene.limits.floor = lowest + scene.body.radius + more;
+    return way_is_open(scene, inequalities(scene.body, scene.limits));
+  };
+  EXPECT_TRUE(open(0.0));
+  EXPECT_FALSE(open(-3.0 * kSquare));
+}
+
 TEST(Passage, IsOpenWithoutObstacles) {
   Scene scene;
   scene.body = Body::cylinder(0.25, 0.5, 0.0, 0.5);

@@ -9,9 +9,10 @@
 #include <vector>
 
 #include "math/portable_random.hpp"
+#include "refinement/detour.hpp"
 #include "transcription/limited_curve.hpp"
 
-namespace brachisto::benchmarks {
+namespace brachisto {
 
 /// A motion by its rolling time, tabulated finely enough for a start.
 struct RandomPath {
@@ -39,8 +40,14 @@ struct RandomPath {
 [[nodiscard]] RandomPath some_random_path(const Scene& scene, double waviness,
                                           SplitMix64& random, int& attempts);
 
+/// The first `count` of them of a fixed seed, always the same, with their own
+/// slopes at A and B; fewer where most are no ways of a body.
+[[nodiscard]] std::vector<RoughPath> random_ways(const Scene& scene, int count);
+
 /// A cold start: without multipliers.
 [[nodiscard]] PrimalDual start_on(const LimitedTime& problem,
                                   const RandomPath& path);
+[[nodiscard]] PrimalDual start_on(const LimitedTime& problem,
+                                  const RoughPath& path);
 
-}  // namespace brachisto::benchmarks
+}  // namespace brachisto

@@ -1,17 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "limits/random_path.hpp"
+#include "refinement/random_path.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "model/contact.hpp"
 #include "model/energy.hpp"
 #include "model/inertia.hpp"
 
-namespace brachisto::benchmarks {
+namespace brachisto {
 
 TurningPoint<double> RandomPath::operator()(double sigma) const {
   const double wanted = sigma * u.back();
@@ -31,7 +32,7 @@ RandomPath random_path(const Scene& scene, double waviness,
   constexpr double kSteepest = 0.6 * std::numbers::pi;
   const double beta_0 = random.uniform(0.3, 1.6);
   const double phi = random.uniform(-1.4, 0.8);
-  const Point from = centre_above({0.0, 0.0}, scene.body.radius, beta_0);
+  const Point from = centre_above({0.0, 0.0}, contact_radius(scene), beta_0);
   const Point to = end_of_centre(scene, phi);
   const double reach = std::hypot(to.x - from.x, to.z - from.z);
   const double speed_0 = reach * random.uniform(0.3, 2.0);
@@ -82,7 +83,8 @@ RandomPath random_path(const Scene& scene, double waviness,
     const double ds = std::hypot(dx, dz);
     const double beta = std::atan2(dz, dx);
     s += ds;
-    const double theta = body.theta_m + s / body.radius;
+    const double theta =
+        body.theta_m + (body.radius > 0.0 ? s / body.radius : 0.0);
     const double E = energy_height(body, here.z - from.z, theta);
     const double w = std::sqrt(pushed * pushed + 2.0 * scene.gravity * E);
     if (!(w > 0.0) || std::abs(beta) > kSteepest) return {};
@@ -104,10 +106,33 @@ RandomPath some_random_path(const Scene& scene, double waviness,
   return path;
 }
 
-PrimalDual start_on(const LimitedTime& problem, const RandomPath& path) {
-  PrimalDual start = sample_at_mesh(
-      problem, path.rolling_time(), [&](double sigma) -> LimitedPoint {
-        return {.state = path(sigma),
+std::vector<RoughPath> random_ways(const Scene& scene, int count) {
+  constexpr double kWaviness = 0.5;  // in H
+  constexpr int kMostTries = 200, kPlaces = 400;
+  constexpr std::uint64_t kSeed = 1;
+  SplitMix64 random(SplitMix64::scrambled(kSeed));
+  std::vector<RoughPath> out;
+  for (int i = 0; i < kMostTries && std::ssize(out) < count; ++i) {
+    const RandomPath path = random_path(scene, kWaviness, random);
+    if (path.u.empty()) continue;
+    RoughPath way{path.rolling_time(), {}, {}};
+    way.slopes = {path.at.front().beta, path.at.back().beta};
+    for (int k = 0; k <= kPlaces; ++k) {
+      way.places.push_back(path(static_cast<double>(k) / kPlaces));
+    }
+    out.push_back(std::move(way));
+  }
+  return out;
+}
+
+namespace {
+
+PrimalDual start_at(
+    const LimitedTime& problem, double rolling_time,
+    const std::function<TurningPoint<double>(double sigma)>& at) {
+  PrimalDual start =
+      sample_at_mesh(problem, rolling_time, [&](double sigma) -> LimitedPoint {
+        return {.state = at(sigma),
                 .p = {},
                 .multipliers = std::vector<double>(problem.limits().size())};
       });
@@ -115,4 +140,15 @@ PrimalDual start_on(const LimitedTime& problem, const RandomPath& path) {
   return start;
 }
 
-}  // namespace brachisto::benchmarks
+}  // namespace
+
+PrimalDual start_on(const LimitedTime& problem, const RandomPath& path) {
+  return start_at(problem, path.rolling_time(), path);
+}
+
+PrimalDual start_on(const LimitedTime& problem, const RoughPath& path) {
+  return start_at(problem, path.rolling_time,
+                  [&](double sigma) { return path.at(sigma); });
+}
+
+}  // namespace brachisto

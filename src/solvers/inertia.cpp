@@ -21,9 +21,11 @@ namespace brachisto {
 namespace {
 
 /// The inertia from the two arrays of values, by MUMPS.
+///
+/// \param below  −δ, on the diagonal of the constraints
 Inertia mumps_inertia(const nlp::Problem& problem, const nlp::ActiveSet& active,
-                      std::span<const double> hess,
-                      std::span<const double> jac) {
+                      std::span<const double> hess, std::span<const double> jac,
+                      double below = 0.0) {
   const OneAtATime one_at_a_time;
   // Numbers of the unknowns from 1 on; 0 for what is no part of the matrix.
   int size = 0;
@@ -49,6 +51,9 @@ Inertia mumps_inertia(const nlp::Problem& problem, const nlp::ActiveSet& active,
   problem.jac_g_pattern().for_each([&](std::size_t entry, int i, int j) {
     put(row[at(i)], variable[at(j)], jac[entry]);
   });
+  if (below != 0.0) {
+    for (const int i : row) put(i, i, below);
+  }
   return Mumps(dmumps_c).factorise(size, std::move(rows), std::move(cols),
                                    std::move(values));
 }
@@ -67,6 +72,13 @@ Inertia kkt_inertia(nlp::Problem& problem, const PrimalDual& point,
   problem.eval_jac_g(jac);
 
   Inertia inertia;
+  if (active.num_equations() > active.num_free()) {
+    if (solver == LinearSolver::Chain) return inertia;
+    constexpr double kBelow = -1e-8;
+    inertia = mumps_inertia(problem, active, hess, jac, kBelow);
+    inertia.known = inertia.known && inertia.positive == active.num_free();
+    return inertia;
+  }
   if (solver != LinearSolver::Mumps) {
     const std::unique_ptr<ChainLdlt> chain = make_chain_ldlt(problem, active);
     const std::array<std::span<const double>, 2> values = {hess, jac};

@@ -25,6 +25,12 @@ struct Inertia {
 /// LinearSolver::Chain it is unknown for a problem that states no chain
 /// structure; Auto tries the chain, then MUMPS.
 ///
+/// More constraints than variables depend on each other, and rounding gives the
+/// zero eigenvalues any sign. Then −δ I takes the place of 0: with it the
+/// matrix has as many positive eigenvalues as H + Jᵀ J/δ, and if these are n, H
+/// is positive definite on the null space of J whatever δ > 0 is. If they are
+/// fewer nothing is known.
+///
 /// (n, m, 0) for n free variables and m constraints means that the Hessian of
 /// the Lagrangian is positive definite on the null space of J: at a stationary
 /// point, a strict local minimum if the inequalities that hold as equations

@@ -54,6 +54,16 @@ Inertia Mumps::factorise(int size, std::vector<int> rows, std::vector<int> cols,
   data_.jcn = cols_.data();
   data_.a = values_.data();
   run(4);
+  // Pivots that are put off, as in a singular matrix, need more room than the
+  // analysis foresees.
+  constexpr int kTooLittleRoom = -9, kMostRoom = 10'000;  // in per cent
+  int& room = data_.icntl[14 - 1];
+  const int first = room;
+  while (data_.infog[0] == kTooLittleRoom && room < kMostRoom) {
+    room *= 4;
+    run(2);
+  }
+  room = first;
   Inertia inertia;
   inertia.known = data_.infog[0] >= 0;
   inertia.negative = data_.infog[12 - 1];

@@ -142,6 +142,23 @@ TEST(KktInertia, SeesConstraintsThatDependOnEachOther) {
   }
 }
 
+/// More equations than variables that a point satisfies all the same leave no
+/// direction, whatever the Hessian is.
+TEST(KktInertia, OfMoreConstraintsThanVariablesIsThatOfAMinimum) {
+  for (std::uint32_t seed = 1; seed <= 50; ++seed) {
+    Random random(seed);
+    const int n = 6;
+    const int m = 15;
+    const MatrixXd J = random_matrix(random, m, n);
+    QuadraticProblem problem(-MatrixXd::Identity(n, n), J);
+
+    const Inertia found = kkt_inertia(problem, somewhere(n, m));
+
+    EXPECT_TRUE(found.known) << "seed " << seed;
+    EXPECT_EQ(found.positive, n) << "seed " << seed;
+  }
+}
+
 TEST(KktInertia, UsesTheMultipliers) {
   // At (0, √3) with λ the curvature of HS 7 in x₀, the free direction, is
   // 2 + 4 λ: positive at the solution, negative for λ < −1/2.

@@ -3,6 +3,9 @@
 
 #include "study/conclude.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <memory>
 #include <ranges>
@@ -115,6 +118,9 @@ void conclude_elsewhere(const PosedProblem& posed, const LimitedCurve& curve,
                        posed.mesh_options_after(out.effort), ItsArcs::Known),
       other);
   if (other.verified()) {
+    other.message += fmt::format(
+        ". It takes the place of another path, which was not verified: {}",
+        fmt::join(not_verified_because(out.certificate), "; "));
     out = std::move(other);
   } else {
     out.effort = other.effort;

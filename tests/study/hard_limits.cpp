@@ -173,5 +173,21 @@ TEST(HardLimits, APathWhoseMultiplierHasTheWrongSignIsLeft) {
   EXPECT_NEAR(solution.motion()->tau(), 7.10096, 1e-4);
 }
 
+/// In this air the free extremal is followed from still air to 0.12 of the
+/// drag, no further. The program on 30 elements of degree 3, which keeps limits
+/// at its points alone, came to τ = 7.914 from three of six other random paths.
+TEST(HardLimits, RandomPathsLeadWhereTheFreeExtremalIsNotReached) {
+  PathLimits limits;
+  limits.normal_max = 3.217;
+  Scene scene = cylinder_scene(0.9929, 0.769, 28.3, 0.254, 4.457, limits);
+  scene.world.air.linear = 0.034;
+  scene.world.air.quadratic = 0.06;
+
+  const Solution solution = confirmed(scene);
+
+  ASSERT_NE(solution.motion(), nullptr);
+  EXPECT_NEAR(solution.motion()->tau(), 7.914, 2e-3 * 7.914);
+}
+
 }  // namespace
 }  // namespace brachisto

@@ -46,17 +46,16 @@ class Multipliers {
       return false;
     }
     worse(-value, residual_.sign);
-    sum_ += std::abs(multiplier * distance);
+    residual_.gap += std::abs(multiplier * distance);
     ++count_;
     return worse(std::abs(value * distance), residual_.complementarity);
   }
   [[nodiscard]] double mean() const {
-    return count_ == 0 ? 0.0 : sum_ / count_;
+    return count_ == 0 ? 0.0 : residual_.gap / count_;
   }
 
  private:
   KktResidual& residual_;
-  double sum_ = 0.0;
   int count_ = 0;
 };
 

@@ -73,7 +73,7 @@ class WithoutArcs {
     bool everywhere = true;  // it is finer
     for (int i = 0; i < kMostRounds; ++i) {
       ends_as_it_does_ = false;
-      if (!close(next)) break;
+      if (!close(next)) return std::nullopt;
       // With least margins, as before: what the mesh alone has changed.
       const double free_time = curve_.transit_time();
       const double changed =

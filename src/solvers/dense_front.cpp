@@ -101,14 +101,23 @@ bool FrontStack::choose(Front& front, int k, const Rule& rule, Width& width) {
     const double c = front.at(r, r);
     const double det = std::abs(a * c - b * b);
     const double largest = std::max({std::abs(a), std::abs(b), std::abs(c)});
+    // A determinant that is all cancellation is no pivot.
+    const double regular = det / (std::abs(a * c) + b * b);
+    // Whether at most so much can be of use: columns are looked through only
+    // where it can.
+    const auto is_of_use = [&](double most) {
+      return !(most < rule.threshold && most <= best);
+    };
+    if (!is_of_use(regular)) continue;
     const double below_j = column_max(front, j, k, r).value;
+    if (!is_of_use(det / (std::max(std::abs(b), std::abs(c)) * below_j))) {
+      continue;
+    }
     const double below_r = column_max(front, r, k, j).value;
     const double growth =
         std::max(std::abs(c) * below_j + std::abs(b) * below_r,
                  std::abs(b) * below_j + std::abs(a) * below_r) /
         det;
-    // A determinant that is all cancellation is no pivot.
-    const double regular = det / (std::abs(a * c) + b * b);
     const double pair = std::min(1.0 / growth, regular);
     if (largest > rule.zero && !(pair < rule.threshold)) {
       return take(j, r);

@@ -204,14 +204,9 @@ void check_conditions(const LimitedCurve& curve, double error,
     certificate.add("complementarity", residual.complementarity,
                     kComplementarity, residual.worst_multiplier);
   } else {
-    // The sum of slack times multiplier, which is to first order what T has yet
-    // to lose: an interior-point method leaves as much at each point, of short
-    // elements too. Its mean is over one bound of each row at most, of points
-    // and of the start, which are no more than the points' rows twice.
-    const VariableLayout& layout = problem.layout();
-    const int bounds = 2 * layout.num_points() * layout.num_limits();
-    certificate.add("complementarity",
-                    residual.barrier_parameter * bounds / curve.transit_time(),
+    // An interior-point method leaves as much at each point, of short elements
+    // too: in sum, what T has yet to lose.
+    certificate.add("complementarity", residual.gap / curve.transit_time(),
                     std::max(kComplementarity, kOfError * error),
                     residual.worst_multiplier);
   }

@@ -78,6 +78,17 @@ double transit_time(const Scene& scene, const Extremal& found) {
   return found.transit_time * natural_units(scene).time;
 }
 
+/// That its time is the one of the indirect method of one scene, by both
+/// estimates, and its end too.
+void expect_its_own(const Scene& scene, const Extremal& found) {
+  const ExtremalSolution alone = solve_extremal(scene);
+  ASSERT_TRUE(alone.usable()) << alone.message;
+  EXPECT_NEAR(transit_time(scene, found) / alone.transit_time, 1.0,
+              found.error_estimate + alone.error_estimate);
+  // The end of a path is as far off as its steps are, to the first order.
+  EXPECT_NEAR(found.phi, alone.phi, 1e-9 + 1e3 * found.error_estimate);
+}
+
 struct Attempt {
   const char* name;
   Fineness fineness;
@@ -99,14 +110,8 @@ TEST_P(ManyScenesTried, HaveTheTimesOfTheIndirectMethodOfOne) {
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     if (!found[i].found) continue;
     ++served;
-    const ExtremalSolution alone = solve_extremal(scenes[i]);
-    ASSERT_TRUE(alone.usable()) << i << ": " << alone.message;
-    EXPECT_NEAR(transit_time(scenes[i], found[i]) / alone.transit_time, 1.0,
-                found[i].error_estimate + alone.error_estimate)
-        << i;
-    // The end of a path is as far off as its steps are, to the first order.
-    EXPECT_NEAR(found[i].phi, alone.phi, 1e-9 + 1e3 * found[i].error_estimate)
-        << i;
+    SCOPED_TRACE(i);
+    expect_its_own(scenes[i], found[i]);
   }
   EXPECT_GE(served, GetParam().least_served);
 }
@@ -137,10 +142,7 @@ TEST(ManyScenes, KeepPlacesCloseEnoughForTheEnergyBetweenThem) {
   const Extremal found = shoot(std::vector{scene}, kFine).front();
 
   ASSERT_TRUE(found.found);
-  const ExtremalSolution alone = solve_extremal(scene);
-  ASSERT_TRUE(alone.usable()) << alone.message;
-  EXPECT_NEAR(transit_time(scene, found) / alone.transit_time, 1.0,
-              found.error_estimate + alone.error_estimate);
+  expect_its_own(scene, found);
   const Units units = natural_units(scene);
   const Certificate certificate =
       certify(LaneMotion(in_natural_units(scene), found, scene, units));
@@ -200,10 +202,7 @@ TEST(ManyScenes, LeaveAPushInItsOwnDirectionFarFromThatOfRest) {
   const Extremal found = shoot(std::vector{scene}, kFine).front();
 
   ASSERT_TRUE(found.found);
-  const ExtremalSolution alone = solve_extremal(scene);
-  ASSERT_TRUE(alone.usable()) << alone.message;
-  EXPECT_NEAR(transit_time(scene, found) / alone.transit_time, 1.0,
-              found.error_estimate + alone.error_estimate);
+  expect_its_own(scene, found);
 }
 
 TEST(ManyScenes, HaveTheSameDigitsWhateverStandsBesideThem) {

@@ -95,6 +95,7 @@ TEST(KktResidualWithInequalities, TellsTheConditionsApart) {
   EXPECT_EQ(inside.sign, 0.0);
   // Products 4 · ½ and 2 · ¼ over the four bounds that multipliers belong to:
   // three of variables, the nearer one of g.
+  EXPECT_EQ(inside.gap, 2.5);
   EXPECT_EQ(inside.barrier_parameter, 0.625);
 
   // λ belongs to the nearer bound, the upper one: λ < 0 has the wrong sign.

@@ -308,8 +308,10 @@ struct KktResidual {
   std::string worst_variable;    ///< where the stationarity is worst
   std::string worst_constraint;  ///< where the infeasibility is worst
   std::string worst_multiplier;  ///< where the complementarity is worst
-  /// Mean of multiplier · distance over all bounds, not weighted: the barrier
-  /// parameter of an interior-point method next to whose path the point is.
+  /// Sum of multiplier · distance over all bounds, not weighted: to first order
+  /// what the objective has yet to lose next to the path of an interior-point
+  /// method; and its mean, which is the barrier parameter there.
+  double gap = 0.0;
   double barrier_parameter = 0.0;
 
   [[nodiscard]] double max() const;

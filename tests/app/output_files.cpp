@@ -36,9 +36,9 @@ const std::string kLarge =
 // solve takes several times as much.
 constexpr double kLessThanLarge = 0.5;
 
-using Names = std::set<std::string>;
-const Names kAll{"result.json", "trajectory.csv", "path.csv",
-                 "path.gp",     "path.svg",       "index.html"};
+using FileNames = std::set<std::string>;
+const FileNames kAll{"result.json", "trajectory.csv", "path.csv",
+                     "path.gp",     "path.svg",       "index.html"};
 
 TEST(Out, WritesResultTrajectoryAndPicture) {
   const ScratchDirectory scratch;
@@ -70,7 +70,7 @@ TEST(Out, RefusesExistingResultsBeforeItSolves) {
     EXPECT_EQ(output->code, 6);
     EXPECT_NE(output->err.find("--force"), std::string::npos) << output->err;
     EXPECT_EQ(content(out / name), "precious");
-    EXPECT_EQ(names(out), Names{name});
+    EXPECT_EQ(names(out), FileNames{name});
   }
 }
 
@@ -108,7 +108,7 @@ TEST(Out, OfAnUnverifiedSolveIsTheResultOnly) {
       run({"solve", kWritten, "--out", out, "--set", "scene.body.radius=2"});
 
   EXPECT_EQ(output.code, 4);
-  EXPECT_EQ(names(out), Names{"result.json"});
+  EXPECT_EQ(names(out), FileNames{"result.json"});
   const json result = json::parse(content(fs::path(out) / "result.json"));
   EXPECT_EQ(result["status"], "no_admissible_path");
 }
@@ -122,7 +122,7 @@ TEST(Out, LeavesNoStalePathBesideAResultThatHasNone) {
                              "--set", "scene.body.radius=2"});
 
   EXPECT_EQ(output.code, 4);
-  EXPECT_EQ(names(out), Names{"result.json"});
+  EXPECT_EQ(names(out), FileNames{"result.json"});
 }
 
 TEST(Show, WritesTheSamePageAnew) {
@@ -199,7 +199,7 @@ TEST(Race, WritesOnePageAndTellsTheOrder) {
            starter("uniform_cylinder"), "--out", page.string()});
 
   EXPECT_EQ(output.code, 0) << output.err;
-  EXPECT_EQ(names(page.parent_path()), Names{"race.html"});
+  EXPECT_EQ(names(page.parent_path()), FileNames{"race.html"});
   EXPECT_TRUE(content(page).starts_with("<!DOCTYPE html>"));
   const auto at = [&](const char* words) { return output.out.find(words); };
   EXPECT_LT(at("bead"), at("uniform cylinder"));

@@ -23,8 +23,6 @@ namespace {
 
 using ::testing::ElementsAre;
 
-constexpr double kPi = std::numbers::pi;
-
 std::vector<std::string> paths(const SweepFile& file) {
   std::vector<std::string> all;
   for (const SweepKey& key : file.keys()) all.push_back(key.path);
@@ -61,9 +59,9 @@ TEST(SweepFile, ScenesHaveExactlyTheValuesThatAreTold) {
     EXPECT_TRUE(validate(scene).empty());
   }
   EXPECT_EQ(number(file, 2500, 0), std::sqrt(0.5));
-  EXPECT_EQ(number(file, 0, 1), -kPi / 2);
+  EXPECT_EQ(number(file, 0, 1), -std::numbers::pi / 2);
   EXPECT_EQ(number(file, 30, 1), 0.0);
-  EXPECT_EQ(number(file, 2500, 1), kPi / 2);
+  EXPECT_EQ(number(file, 2500, 1), std::numbers::pi / 2);
 }
 
 TEST(SweepFile, ASceneIsTheFileWithItsValuesInPlaceOfItsOwn) {

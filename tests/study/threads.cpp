@@ -21,22 +21,25 @@ namespace {
 using testing::kReferenceValues;
 using testing::ReferenceValue;
 
-struct Way {
+struct WayWithThreads {
   const char* name;
   std::variant<Collocation, Shooting, DiscreteSystem> method;
 };
-void PrintTo(const Way& way, std::ostream* out) {
+void PrintTo(const WayWithThreads& way, std::ostream* out) {
   *out << way.name;
 }
 
-class Threads : public ::testing::TestWithParam<Way> {};
+class Threads : public ::testing::TestWithParam<WayWithThreads> {};
 INSTANTIATE_TEST_SUITE_P(
     Ways, Threads,
     ::testing::Values(
-        Way{"chain", Collocation{.linear_solver = LinearSolver::Chain}},
-        Way{"mumps", Collocation{.linear_solver = LinearSolver::Mumps}},
-        Way{"newton", Collocation{.solver = ProgramSolver::NewtonKkt}},
-        Way{"extremal", Shooting{}}));
+        WayWithThreads{"chain",
+                       Collocation{.linear_solver = LinearSolver::Chain}},
+        WayWithThreads{"mumps",
+                       Collocation{.linear_solver = LinearSolver::Mumps}},
+        WayWithThreads{"newton",
+                       Collocation{.solver = ProgramSolver::NewtonKkt}},
+        WayWithThreads{"extremal", Shooting{}}));
 
 TEST_P(Threads, FindTheRightAnswersAtOnce) {
   constexpr std::size_t kThreads = 4;

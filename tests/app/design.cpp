@@ -72,9 +72,9 @@ TEST(DesignCommand, ToldToTellsHowFarItIs) {
 
   const Output slow =
       run({"design", design_problem("half_inertia"), "--verbose", "--set",
-           "design.starts=100", "--jobs", "1"});
+           "design.starts=200", "--jobs", "1"});
 
-  EXPECT_NE(slow.err.find("of 100 searches have ended, least τ so far 4.97610"),
+  EXPECT_NE(slow.err.find("of 200 searches have ended, least τ so far 4.97610"),
             std::string::npos)
       << slow.err;
 }
@@ -110,7 +110,7 @@ TEST(DesignCommand, ItsLimitOfTimeIsThatOfAllSearches) {
   // Minutes of work.
   const Output output =
       run({"design", design_problem("quickest"), "--json", "--set",
-           "design.starts=1000", "--set", "solver.limits.seconds=1", "--out",
+           "design.starts=2000", "--set", "solver.limits.seconds=1", "--out",
            out, "--map", "50"});
 
   EXPECT_EQ(output.code, 7) << output.err;

@@ -38,7 +38,7 @@ struct Study {
   double by = 0.0;  ///< of loosened_limits()
   bool free_slopes = false;
   int elements = 30, degree = 3, iterations = 300;
-  double waviness = 0.5;  ///< of the starts, in H
+  double waviness = 0.5;  ///< of the starts, in L or H
 };
 
 /// What a start led to.
@@ -203,7 +203,8 @@ int main(int argc, char** argv) {
                "Of paths with any slopes at A and B");
   app.add_option("--starts", starts, "Random paths")->capture_default_str();
   app.add_option("--seed", seed, "Of the starts")->capture_default_str();
-  app.add_option("--waviness", study.waviness, "Of the starts, in H")
+  app.add_option("--waviness", study.waviness,
+                 "Of the starts, in L or H, the larger one")
       ->capture_default_str();
   app.add_option("--elements", study.elements, "Of the mesh")
       ->capture_default_str();

@@ -32,8 +32,9 @@ std::optional<Point> known_start(const Scene& scene,
 
 /// Whether a place alone bounds the energy that is left there.
 bool has_bounded_energy(const World& world) {
-  return world.start_speed == 0.0 &&
-         (!world.field_varies() || turning_centre(world));
+  const bool by_distance =
+      turning_centre(world) && !world.side && world.field_share == 1.0;
+  return world.start_speed == 0.0 && (!world.field_varies() || by_distance);
 }
 
 /// States of a path: the square that its centre is in, and how far it has come
@@ -111,7 +112,13 @@ class Squares {
       check_stop(turn);
       const State here = state(next.back());
       next.pop_back();
-      if (lies_on(here.i, here.k, {scene_.L, scene_.H}, r)) return true;
+      // Within the step that it has begun.
+      bool arrives = false;
+      each_neighbour(here, here.step, [&](const State& end) {
+        arrives = arrives || (lies_on(end.i, end.k, {scene_.L, scene_.H}, r) &&
+                              is_open(end));
+      });
+      if (arrives) return true;
       const bool left = here.i == 0, right = here.i == across_ - 1;
       const bool beyond = here.k == 0 || here.k == across_ - 1;
       if (left || (around && (right || beyond))) go_outside(true);
@@ -221,12 +228,16 @@ class Squares {
     Point lowest = here;
     if (deepest_) {
       const double far = brachisto::distance(here, *deepest_);
+      if (far == 0.0) return false;
       const Point d{(deepest_->x - here.x) / far, (deepest_->z - here.z) / far};
-      const double squared =
-          far * far + r_m * (r_m - 2.0 * far * most_along(d, step));
-      const double nearest =
-          std::max(0.0, std::sqrt(std::max(0.0, squared)) - half_diagonal());
-      lowest = {deepest_->x - nearest * d.x, deepest_->z - nearest * d.z};
+      const double along = r_m * most_along(d, step);
+      const double of_mass =
+          std::sqrt(std::max(0.0, far * far + r_m * r_m - 2.0 * far * along));
+      // far − of_mass, of which the centre may be far away.
+      const double nearer =
+          (2.0 * far * along - r_m * r_m) / (far + of_mass) + half_diagonal();
+      const double by = std::min(far, nearer);
+      lowest = {here.x + by * d.x, here.z + by * d.z};
     } else {
       lowest.z += r_m * most_along({0.0, 1.0}, step) + half_diagonal();
     }
@@ -234,7 +245,9 @@ class Squares {
   }
   /// In all of the half-plane above the squares.
   [[nodiscard]] bool energy_ends_above() const {
-    if (deepest_ && deepest_->z <= top_) return false;
+    // Nearer than that the mass may come to it from more than one place.
+    const double r_m = scene_.body.radius * scene_.body.eta_m;
+    if (deepest_ && deepest_->z - r_m <= top_) return false;
     const Point nearest{deepest_ ? deepest_->x : left_, top_};
     return std::ranges::all_of(std::views::iota(0, num_steps()), [&](int step) {
       return energy_ends(nearest, step);

@@ -112,7 +112,8 @@ class LimitedSolve {
             std::move(blocking),
             std::move(loosened_),
             work,
-            std::move(tried)};
+            std::move(tried),
+            from_random_};
   }
 
   /// Whether the best path that was found does.
@@ -126,6 +127,7 @@ class LimitedSolve {
   /// Under the limits asked for, from paths that owe nothing to the free one.
   void come_from_random() {
     constexpr int kStarts = 6;
+    if (protocol_.left(options_.ipopt).max_iterations == 0) return;
     protocol_.tries("from random paths");
     const Status status = protocol_.status;
     const std::string message = protocol_.message;
@@ -143,8 +145,7 @@ class LimitedSolve {
       });
       if (path) take(*path);
       if (!answer_) continue;
-      protocol_.message +=
-          ". The path was found from a random one; others may be faster";
+      from_random_ = true;
       return;
     }
     protocol_.fail(status, message);
@@ -266,6 +267,7 @@ class LimitedSolve {
   std::optional<LimitedWays> ways_;
   std::optional<LimitedAnswer> answer_;
   std::vector<LoosenedPath> loosened_;
+  bool from_random_ = false;
 };
 
 }  // namespace

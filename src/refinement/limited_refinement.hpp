@@ -44,6 +44,7 @@ struct LimitedRefinement : RefinementProtocol {
   std::vector<LoosenedPath> loosened;
   double work = 0.0;               ///< see kMostSearchWork
   std::vector<std::string> tried;  ///< ways, in words; the last may be an end
+  bool from_random = false;        ///< the answer: others may be faster
 };
 
 /// In stages.
@@ -60,6 +61,7 @@ struct LimitedRefinement : RefinementProtocol {
 ///   nowhere the scene is solved under limits loosened more and more, and these
 ///   are tightened as far as a path follows them, or the program, solved from
 ///   the last path, finds one further on.
+/// - Random paths: if no way from the free path leads anywhere, cold_paths().
 /// - Without arcs: if none fit, the program itself is solved on finer and finer
 ///   meshes, and arcs are read off again. Where these do not fit either that
 ///   mesh is the answer, which knows no arcs (solve_without_arcs()).

@@ -63,7 +63,7 @@ class LimitedWays {
   [[nodiscard]] std::optional<FittedPath> bracketed();
   [[nodiscard]] bool goes_elsewhere();
 
-  /// With no more than a share of the work and of the iterations that are left.
+  /// See PassProtocol::Share.
   [[nodiscard]] std::optional<FittedPath> with_share(
       double share, std::optional<FittedPath> (LimitedWays::*way)()) {
     const PassProtocol::Share part(protocol_, share);

@@ -62,8 +62,8 @@ struct PassProtocol : RefinementProtocol {
     ipopt.max_iterations = std::max(0, iterations);
     return ipopt;
   }
-  /// While it lives no more than a share of the work and the iterations that
-  /// are left may be used.
+  /// While it lives there is no more than a share of the work and of what
+  /// left() tells.
   class Share {
    public:
     Share(PassProtocol& protocol, double share)

@@ -107,7 +107,7 @@ RandomPath some_random_path(const Scene& scene, double waviness,
 }
 
 std::vector<RoughPath> random_ways(const Scene& scene, int count) {
-  constexpr double kWaviness = 0.5;  // in H
+  constexpr double kWaviness = 0.5;  // in L or H, the larger one
   constexpr int kMostTries = 200, kPlaces = 400;
   constexpr std::uint64_t kSeed = 1;
   SplitMix64 random(SplitMix64::scrambled(kSeed));

@@ -71,9 +71,14 @@ class WithoutArcs {
     double cost_before = std::numeric_limits<double>::infinity();
     Mesh next = halved(curve_.problem().mesh());
     bool everywhere = true;  // it is finer
+    std::string because;
     for (int i = 0; i < kMostRounds; ++i) {
       ends_as_it_does_ = false;
-      if (!close(next)) return std::nullopt;
+      protocol_.message.clear();
+      if (!close(next)) {
+        if (!protocol_.message.empty()) because = ": " + protocol_.message;
+        break;
+      }
       // With least margins, as before: what the mesh alone has changed.
       const double free_time = curve_.transit_time();
       const double changed =
@@ -114,7 +119,8 @@ class WithoutArcs {
       if (next.num_elements() > kMostElements) break;
     }
     static_cast<void>(protocol_.fail(
-        Status::NotConverged, "without arcs the mesh did not become accurate"));
+        Status::NotConverged,
+        "without arcs the mesh did not become accurate" + because));
     return std::nullopt;
   }
 

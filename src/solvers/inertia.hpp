@@ -16,20 +16,19 @@ struct Inertia {
   int positive = 0;
   int negative = 0;
   int zero = 0;
-  bool known = false;  ///< the factorisation succeeded
+  bool known = false;  ///< else the numbers mean nothing
 };
 
 /// Inertia of the KKT matrix [H Jᵀ; J 0] of the free variables and the
-/// constraints at a point, both as nlp::active_set() has it there, without any
-/// regularisation, from an LDLᵀ factorisation with pivoting. With
-/// LinearSolver::Chain it is unknown for a problem that states no chain
-/// structure; Auto tries the chain, then MUMPS.
+/// constraints at a point, both as nlp::active_set() has it there, from an LDLᵀ
+/// factorisation with pivoting. With LinearSolver::Chain it is unknown for a
+/// problem that states no chain structure; Auto tries the chain, then MUMPS.
 ///
 /// More constraints than variables depend on each other, and rounding gives the
-/// zero eigenvalues any sign. Then −δ I takes the place of 0: with it the
-/// matrix has as many positive eigenvalues as H + Jᵀ J/δ, and if these are n, H
-/// is positive definite on the null space of J whatever δ > 0 is. If they are
-/// fewer nothing is known.
+/// zero eigenvalues any sign. Then −δ I takes the place of 0, by MUMPS alone:
+/// with it the matrix has as many positive eigenvalues as H + Jᵀ J/δ, and if
+/// these are n, H is positive definite on the null space of J whatever δ > 0
+/// is. If they are fewer nothing is known. The others are of that matrix.
 ///
 /// (n, m, 0) for n free variables and m constraints means that the Hessian of
 /// the Lagrangian is positive definite on the null space of J: at a stationary

@@ -56,10 +56,12 @@ Inertia Mumps::factorise(int size, std::vector<int> rows, std::vector<int> cols,
   run(4);
   // Pivots that are put off, as in a singular matrix, need more room than the
   // analysis foresees.
-  constexpr int kTooLittleRoom = -9, kMostRoom = 10'000;  // in per cent
-  int& room = data_.icntl[14 - 1];
-  const int first = room;
-  while (data_.infog[0] == kTooLittleRoom && room < kMostRoom) {
+  constexpr int kTooFewIntegers = -8, kTooLittleRoom = -9, kMostTries = 4;
+  MUMPS_INT& room = icntl(14);  // in per cent
+  const MUMPS_INT first = room;
+  for (int i = 0; i < kMostTries && (data_.infog[0] == kTooLittleRoom ||
+                                     data_.infog[0] == kTooFewIntegers);
+       ++i) {
     room *= 4;
     run(2);
   }

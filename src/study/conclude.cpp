@@ -127,8 +127,10 @@ void conclude_elsewhere(const PosedProblem& posed, const LimitedCurve& curve,
   }
 }
 
-void conclude_resolved(const PosedProblem& posed, LimitedRefinement found,
-                       Solution& out) {
+/// The same, and again on halved elements where T is accurate and the path not
+/// yet, or from another path.
+void conclude_and_resolve(const PosedProblem& posed, LimitedRefinement found,
+                          Solution& out) {
   constexpr int kRounds = 3;
   const Discretisation& wanted = posed.program.discretisation;
   conclude(posed, found, out);
@@ -155,6 +157,16 @@ void conclude_resolved(const PosedProblem& posed, LimitedRefinement found,
       return conclude_elsewhere(posed, path.curve, out);
     }
     conclude(posed, found, out);
+  }
+}
+
+void conclude_resolved(const PosedProblem& posed, LimitedRefinement found,
+                       Solution& out) {
+  const bool from_random = found.from_random;
+  conclude_and_resolve(posed, std::move(found), out);
+  if (from_random && out.verified()) {
+    out.message +=
+        ". The path was found from a random one; others may be faster";
   }
 }
 

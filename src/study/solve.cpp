@@ -148,10 +148,7 @@ void solve_program(const PosedProblem& posed, const Start& start,
                          : search_contacts(posed, start, out);
   }
   if (!start.curve) {
-    if (start.ordinary && start.status != Status::NoAdmissiblePath) {
-      refine_cold_under_limits(posed, start, out);
-    }
-    return;
+    return refine_cold_under_limits(posed, start, out);
   }
   if (posed.limited) return refine_under_limits(posed, start, out);
   if (posed.program.guess != Guess::Cycloid && posed.cycloid) {
@@ -313,7 +310,11 @@ void search_contacts(const PosedProblem& posed, const Start& principal,
 /// and where time does, what is verified by then is the answer.
 void search_under_limits(const PosedProblem& posed, const Start& principal,
                          Solution& out) {
-  if (principal.curve) refine_under_limits(posed, principal, out);
+  if (principal.curve) {
+    refine_under_limits(posed, principal, out);
+  } else {
+    refine_cold_under_limits(posed, principal, out);
+  }
   if (out.status == Status::NoFastestTrack ||
       out.status == Status::NoAdmissiblePath) {
     return;
@@ -376,14 +377,18 @@ void refine_pieces(const PosedProblem& posed, const Start& start,
   conclude(posed, *refinement.answer, start, out);
 }
 
+/// Where the free extremal was not reached in this world.
 void refine_cold_under_limits(const PosedProblem& posed, const Start& start,
                               Solution& out) {
+  if (!start.ordinary || start.status == Status::NoAdmissiblePath) return;
   const LimitedRefinement found = refine_limited_cold(
       *posed.limited, posed.program.discretisation, *start.ordinary,
       start.ordinary_phi, posed.mesh_options_after(out.effort));
   if (found.answer) return conclude_resolved(posed, found, out);
   record_work(found, out);
-  out.message += ". From random paths none was found under the limits either";
+  if (!found.tried.empty()) {
+    out.message += ". From random paths none was found under the limits either";
+  }
 }
 
 void refine_under_limits(const PosedProblem& posed, const Start& start,

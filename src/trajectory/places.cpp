@@ -107,6 +107,7 @@ class Places {
       if (places_[i].limit >= 0 && !(schur(j, j) <= 0.0)) return std::nullopt;
     }
     const nlp::ActiveSet active = nlp::active_set(problem_, curve_.point());
+    if (active.num_equations() > active.num_free()) return 0;
     const std::unique_ptr<ChainLdlt> chain = make_chain_ldlt(problem_, active);
     if (!chain || !factorise(*chain)) return 0;
     std::vector<std::vector<double>> columns;

@@ -159,6 +159,22 @@ TEST(KktInertia, OfMoreConstraintsThanVariablesIsThatOfAMinimum) {
   }
 }
 
+/// If one direction is left to them along which the Hessian is negative, that
+/// is none, whatever signs rounding gives what is zero.
+TEST(KktInertia, OfConstraintsThatLeaveAMaximumIsNotThatOfAMinimum) {
+  for (std::uint32_t seed = 1; seed <= 50; ++seed) {
+    Random random(seed);
+    const int n = 6;
+    const int m = 15;
+    MatrixXd J = random_matrix(random, m, n);
+    J.col(n - 1) = J.col(0) - J.col(1);  // (1, −1, 0, …, 0, −1) J = 0
+    QuadraticProblem problem(-MatrixXd::Identity(n, n), J);
+
+    EXPECT_FALSE(kkt_inertia(problem, somewhere(n, m)).known)
+        << "seed " << seed;
+  }
+}
+
 TEST(KktInertia, UsesTheMultipliers) {
   // At (0, √3) with λ the curvature of HS 7 in x₀, the free direction, is
   // 2 + 4 λ: positive at the solution, negative for λ < −1/2.

@@ -187,6 +187,7 @@ TEST(HardLimits, RandomPathsLeadWhereTheFreeExtremalIsNotReached) {
 
   ASSERT_NE(solution.motion(), nullptr);
   EXPECT_NEAR(solution.motion()->tau(), 7.914, 2e-3 * 7.914);
+  EXPECT_NE(solution.message.find("others may be faster"), std::string::npos);
 }
 
 }  // namespace

@@ -22,7 +22,9 @@ namespace brachisto {
 /// every side counts as open. The start is that of a smooth contact, where the
 /// extremal's slope places it; of other starts nothing is said. It took 2 to 8
 /// ms where a floor lets the body turn over or just not, and looks at no more
-/// than five million states. \throws Stopped  see check_stop()
+/// than five million states.
+///
+/// \throws Stopped  see check_stop()
 [[nodiscard]] bool way_is_open(const Scene& scene,
                                const std::vector<PathInequality>& limits);
 

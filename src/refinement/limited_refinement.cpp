@@ -131,6 +131,8 @@ class LimitedSolve {
     protocol_.tries("from random paths");
     const Status status = protocol_.status;
     const std::string message = protocol_.message;
+    // Looser limits need iterations too.
+    const PassProtocol::Share half(protocol_, 0.5);
     // An empty set takes no more than the starts.
     protocol_.most_work = protocol_.work + kSearchCold * kMostSearchWork;
     const std::vector<LimitedCurve> found =

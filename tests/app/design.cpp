@@ -110,7 +110,7 @@ TEST(DesignCommand, ItsLimitOfTimeIsThatOfAllSearches) {
   // Minutes of work.
   const Output output =
       run({"design", design_problem("quickest"), "--json", "--set",
-           "design.starts=2000", "--set", "solver.limits.seconds=1", "--out",
+           "design.starts=1000", "--set", "solver.limits.seconds=1", "--out",
            out, "--map", "50"});
 
   EXPECT_EQ(output.code, 7) << output.err;

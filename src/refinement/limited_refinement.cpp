@@ -69,7 +69,7 @@ class LimitedSolve {
       if (protocol_.status != Status::NoAdmissiblePath) come_from_random();
     }
     if (!answer_) {
-      protocol_.most_work = kSearchLooser * kMostSearchWork;
+      protocol_.most_work = protocol_.work + kSearchLooser * kMostSearchWork;
       come_from_looser();
     }
     return finished();
@@ -132,7 +132,7 @@ class LimitedSolve {
     const Status status = protocol_.status;
     const std::string message = protocol_.message;
     // Looser limits need iterations too.
-    const PassProtocol::Share half(protocol_, 0.5);
+    const PassProtocol::Share part(protocol_, 1.0 / 3.0);
     // An empty set takes no more than the starts.
     protocol_.most_work = protocol_.work + kSearchCold * kMostSearchWork;
     const std::vector<LimitedCurve> found =

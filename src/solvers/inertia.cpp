@@ -3,7 +3,9 @@
 
 #include "solvers/inertia.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 #include <span>
 #include <stdexcept>
@@ -53,6 +55,10 @@ Inertia mumps_inertia(const nlp::Problem& problem, const nlp::ActiveSet& active,
   });
   if (below != 0.0) {
     for (const int i : row) put(i, i, below);
+  }
+  // These have no inertia, and MUMPS would look for room to put pivots off.
+  if (!std::ranges::all_of(values, [](double v) { return std::isfinite(v); })) {
+    return {};
   }
   return Mumps(dmumps_c).factorise(size, std::move(rows), std::move(cols),
                                    std::move(values));

@@ -15,15 +15,12 @@ namespace brachisto {
 
 struct PassProtocol;
 
-/// Whether two paths are nowhere further apart than what coarse meshes err by.
-[[nodiscard]] bool alike(const LimitedCurve& a, const LimitedCurve& b);
-
-/// What Tightening::tighten_cold() finds from `starts` of random_ways(), of
-/// paths that are alike() one.
+/// What Tightening::tighten_cold() finds from `starts` of random_ways(), once
+/// where several are alike().
 ///
-/// \param scene  in natural units, with limits
-/// \param free   the extremal without them, with the end angle φ: a measure of
-///               sizes alone
+/// \param scene      in natural units, with limits
+/// \param free       the extremal without them, with the end angle φ: a measure
+///                   of sizes alone
 /// \param options    of the solver, for all of them
 /// \param most_work  of each start; see PassProtocol
 /// \return fastest first

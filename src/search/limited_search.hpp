@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "refinement/cold_paths.hpp"
 #include "refinement/mesh_solve.hpp"
 #include "search/global_search.hpp"
 #include "transcription/limited_curve.hpp"

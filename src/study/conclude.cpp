@@ -105,6 +105,8 @@ void conclude(const PosedProblem& posed, const LimitedAnswer& found,
   record(verdict(out, message), out);
 }
 
+namespace {
+
 /// From a path that fails its certificate, for the sign of a multiplier say, to
 /// another one that its program leads to; nothing changes if that is not
 /// verified.
@@ -127,10 +129,9 @@ void conclude_elsewhere(const PosedProblem& posed, const LimitedCurve& curve,
   }
 }
 
-/// The same, and again on halved elements where T is accurate and the path not
-/// yet, or from another path.
-void conclude_and_resolve(const PosedProblem& posed, LimitedRefinement found,
-                          Solution& out) {
+/// As conclude_resolved() does, which adds where the path came from.
+void conclude_again_and_again(const PosedProblem& posed,
+                              LimitedRefinement found, Solution& out) {
   constexpr int kRounds = 3;
   const Discretisation& wanted = posed.program.discretisation;
   conclude(posed, found, out);
@@ -160,10 +161,12 @@ void conclude_and_resolve(const PosedProblem& posed, LimitedRefinement found,
   }
 }
 
+}  // namespace
+
 void conclude_resolved(const PosedProblem& posed, LimitedRefinement found,
                        Solution& out) {
   const bool from_random = found.from_random;
-  conclude_and_resolve(posed, std::move(found), out);
+  conclude_again_and_again(posed, std::move(found), out);
   if (from_random && out.verified()) {
     out.message +=
         ". The path was found from a random one; others may be faster";

@@ -30,7 +30,7 @@ void conclude(const PosedProblem& posed, const LimitedAnswer& found,
 void conclude(const PosedProblem& posed, const LimitedRefinement& refinement,
               Solution& out);
 /// The same, and again on halved elements where T is accurate and the path not
-/// yet.
+/// yet, or without arcs where that does not lead to a verified path.
 void conclude_resolved(const PosedProblem& posed, LimitedRefinement found,
                        Solution& out);
 

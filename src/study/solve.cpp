@@ -147,9 +147,7 @@ void solve_program(const PosedProblem& posed, const Start& start,
     return posed.limited ? search_under_limits(posed, start, out)
                          : search_contacts(posed, start, out);
   }
-  if (!start.curve) {
-    return refine_cold_under_limits(posed, start, out);
-  }
+  if (!start.curve) return refine_cold_under_limits(posed, start, out);
   if (posed.limited) return refine_under_limits(posed, start, out);
   if (posed.program.guess != Guess::Cycloid && posed.cycloid) {
     record(start_elsewhere(posed, start, out.effort), out);
@@ -380,7 +378,7 @@ void refine_pieces(const PosedProblem& posed, const Start& start,
 /// Where the free extremal was not reached in this world.
 void refine_cold_under_limits(const PosedProblem& posed, const Start& start,
                               Solution& out) {
-  if (!start.ordinary || start.status == Status::NoAdmissiblePath) return;
+  if (!start.ordinary) return;
   const LimitedRefinement found = refine_limited_cold(
       *posed.limited, posed.program.discretisation, *start.ordinary,
       start.ordinary_phi, posed.mesh_options_after(out.effort));

@@ -212,9 +212,12 @@ Start start_from_cycloid(const PosedProblem& posed) {
       follow_offset_in_world(posed, start);
     }
   }
-  if (!start.curve && posed.limited && !posed.stop().met()) {
+  if (start.curve) {
+    start.ordinary.reset();
+  } else if (posed.limited && !posed.stop().met()) {
     const Scene& scene = *posed.limited;
     if (!way_is_open(scene, inequalities(scene.body, scene.limits))) {
+      start.ordinary.reset();
       return ended(std::move(start),
                    {Status::NoAdmissiblePath, std::string(kNoWay)});
     }

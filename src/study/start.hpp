@@ -20,8 +20,8 @@ namespace brachisto {
 struct Start : Continuation {
   std::vector<double> folds;                    ///< see Solution::folds
   std::optional<double> continued_from_L = {};  ///< see Solution
-  /// In the ordinary world, with its φ, where none was reached in this one and
-  /// a scene with limits may have a path all the same.
+  /// In the ordinary world, with its φ, where none was reached in this one but
+  /// under limits there may be a path all the same; otherwise nothing.
   std::optional<ExtremalCurve> ordinary = {};
   double ordinary_phi = 0.0;
 };

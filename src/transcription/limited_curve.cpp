@@ -354,4 +354,15 @@ PrimalDual prolong(const LimitedCurve& curve, const LimitedTime& problem) {
   return out;
 }
 
+bool alike(const LimitedCurve& a, const LimitedCurve& b) {
+  constexpr int kPlaces = 64;
+  constexpr double kApart = 3e-3;  // in natural units, L or H being 1
+  for (int i = 1; i <= kPlaces; ++i) {
+    const double sigma = static_cast<double>(i) / kPlaces;
+    const TurningPoint<double> p = a.at(sigma).state, q = b.at(sigma).state;
+    if (distance({p.x, p.z}, {q.x, q.z}) > kApart) return false;
+  }
+  return true;
+}
+
 }  // namespace brachisto

@@ -114,4 +114,8 @@ class LimitedCurve {
 [[nodiscard]] PrimalDual prolong(const LimitedCurve& curve,
                                  const LimitedTime& problem);
 
+/// Whether two paths, in natural units, are nowhere further apart than what
+/// coarse meshes err by.
+[[nodiscard]] bool alike(const LimitedCurve& a, const LimitedCurve& b);
+
 }  // namespace brachisto

@@ -59,24 +59,33 @@ TEST(Passage, AboveIsLeftOpenWhereEnergyMayReach) {
 
 /// It starts with its mass below its centre, and has to lift it by 2 r η on the
 /// way, which a floor leaves it the energy for if the centre may sink by as
-/// much. It may sink first: B is two turns away. Where the body is as large as
-/// that the squares are fewer and up to 1.3 times as wide.
-TEST(Passage, IsShutIfTheBodyCannotTurnOver) {
+/// much.
+struct TurningOver {
+  static constexpr double kSquare = 3.0 * 6.5 / 400.0;
   Scene scene;
-  scene.L = 6.0;
-  scene.H = 0.5;
-  scene.body = Body::cylinder(0.5, 0.4, 0.5 * std::numbers::pi, 0.5);
-  constexpr double kSquare = 3.0 * 6.5 / 400.0;
-  const double lowest = start_of_centre(scene).z + 2.0 * 0.5 * 0.4;
-  const auto open = [&](double more) {
+
+  TurningOver() {
+    scene.L = 6.0;
+    scene.H = 0.5;
+    scene.body = Body::cylinder(0.5, 0.4, 0.5 * std::numbers::pi, 0.5);
+  }
+  /// \param more  that the floor leaves
+  [[nodiscard]] bool is_open(double more) {
+    const double lowest = start_of_centre(scene).z + 2.0 * 0.5 * 0.4;
     scene.limits.floor = lowest + scene.body.radius + more;
     return way_is_open(scene, inequalities(scene.body, scene.limits));
-  };
-  EXPECT_TRUE(open(0.0));
-  EXPECT_TRUE(open(1.0));
-  EXPECT_FALSE(open(-3.0 * kSquare));
-  scene.L = 1.2;  // it does not come so far round
-  EXPECT_TRUE(open(-3.0 * kSquare));
+  }
+};
+
+/// It may sink first: B is two turns away. Where the body is as large as that
+/// the squares are fewer and up to 1.3 times as wide.
+TEST(Passage, IsShutIfTheBodyCannotTurnOver) {
+  TurningOver body;
+  EXPECT_TRUE(body.is_open(0.0));
+  EXPECT_TRUE(body.is_open(1.0));
+  EXPECT_FALSE(body.is_open(-3.0 * TurningOver::kSquare));
+  body.scene.L = 1.2;  // it does not come so far round
+  EXPECT_TRUE(body.is_open(-3.0 * TurningOver::kSquare));
 }
 
 /// From rest it comes no further from the centre of a sphere than it began. On
@@ -113,19 +122,10 @@ TEST(Passage, IsShutWhereBLiesHigherInTheFieldOfASphere) {
 
 /// A sphere as large as that is a uniform field, for an off-centred body too.
 TEST(Passage, IsShutInALargeSphereWhereItIsInAUniformField) {
-  Scene scene;
-  scene.L = 6.0;
-  scene.H = 0.5;
-  scene.body = Body::cylinder(0.5, 0.4, 0.5 * std::numbers::pi, 0.5);
-  constexpr double kSquare = 3.0 * 6.5 / 400.0;
-  const double lowest = start_of_centre(scene).z + 2.0 * 0.5 * 0.4;
-  scene.world.sphere = Sphere{{0.0, 1e7}, 1e7, scene.gravity};
-  const auto open = [&](double more) {
-    scene.limits.floor = lowest + scene.body.radius + more;
-    return way_is_open(scene, inequalities(scene.body, scene.limits));
-  };
-  EXPECT_TRUE(open(0.0));
-  EXPECT_FALSE(open(-3.0 * kSquare));
+  TurningOver body;
+  body.scene.world.sphere = Sphere{{0.0, 1e7}, 1e7, body.scene.gravity};
+  EXPECT_TRUE(body.is_open(0.0));
+  EXPECT_FALSE(body.is_open(-3.0 * TurningOver::kSquare));
 }
 
 TEST(Passage, IsOpenWithoutObstacles) {

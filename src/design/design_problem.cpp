@@ -35,16 +35,13 @@ DesignProblem::DesignProblem(const DesignSpace& space, ClosedTimes& times,
       times_(times),
       num_margins_(count_of(keep, times.max_grip().has_value())) {
   for (const DesignSpace::Row& row : space.rows()) {
-    row_lower_.push_back(row.lower);
-    row_upper_.push_back(row.upper);
+    row_ranges_.push_back({row.lower, row.upper});
   }
   const auto margins = static_cast<std::size_t>(num_margins_);
-  row_lower_.insert(row_lower_.end(), margins, kLeastMargin);
-  row_upper_.insert(row_upper_.end(), margins,
-                    std::numeric_limits<double>::infinity());
+  row_ranges_.insert(row_ranges_.end(), margins,
+                     {kLeastMargin, std::numeric_limits<double>::infinity()});
   if (margins > 0) {
-    row_lower_[space.rows().size()] = kLeastOfBranch;
-    row_upper_[space.rows().size()] = kMostOfBranch;
+    row_ranges_[space.rows().size()] = {kLeastOfBranch, kMostOfBranch};
   }
   for (int row = 0; row < num_constraints(); ++row) {
     for (int column = 0; column < num_variables(); ++column) {
@@ -68,9 +65,9 @@ std::vector<BoundOfDesign> DesignProblem::bounds_that_hold(
   for (std::size_t i = 0; i < point.x.size(); ++i) {
     // Derivatives of the least τ are z_l by x_l and −z_u by x_u.
     if (point.z_lower[i] != 0.0) {
-      out.push_back({space_.names()[i], lower()[i], point.z_lower[i]});
+      out.push_back({space_.names()[i], space_.lower()[i], point.z_lower[i]});
     } else if (point.z_upper[i] != 0.0) {
-      out.push_back({space_.names()[i], upper()[i], -point.z_upper[i]});
+      out.push_back({space_.names()[i], space_.upper()[i], -point.z_upper[i]});
     }
   }
   const std::optional<double> at_corner = space_.corner_on_axis(point.lambda);

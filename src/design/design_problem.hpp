@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "brachisto/math/index.hpp"
 #include "brachisto/nlp/problem.hpp"
 #include "design/closed_times.hpp"
 #include "design/design_space.hpp"
@@ -43,19 +44,13 @@ class DesignProblem final : public nlp::Problem {
 
   [[nodiscard]] int num_variables() const override { return space_.size(); }
   [[nodiscard]] int num_constraints() const override {
-    return static_cast<int>(row_lower_.size());
+    return static_cast<int>(row_ranges_.size());
   }
-  [[nodiscard]] std::span<const double> lower() const override {
-    return space_.lower();
+  [[nodiscard]] nlp::Range variable_range(int index) const override {
+    return {space_.lower()[at(index)], space_.upper()[at(index)]};
   }
-  [[nodiscard]] std::span<const double> upper() const override {
-    return space_.upper();
-  }
-  [[nodiscard]] std::span<const double> constraint_lower() const override {
-    return row_lower_;
-  }
-  [[nodiscard]] std::span<const double> constraint_upper() const override {
-    return row_upper_;
+  [[nodiscard]] nlp::Range constraint_range(int index) const override {
+    return row_ranges_[at(index)];
   }
   [[nodiscard]] const nlp::SparsityPattern& jac_g_pattern() const override {
     return jacobian_;
@@ -105,7 +100,7 @@ class DesignProblem final : public nlp::Problem {
   const DesignSpace& space_;
   ClosedTimes& times_;
   Eigen::Index num_margins_;  ///< that are kept, the first ones
-  std::vector<double> row_lower_, row_upper_;
+  std::vector<nlp::Range> row_ranges_;
   nlp::SparsityPattern jacobian_, no_hessian_;
   Eigen::VectorXd y_;
   int refused_in_a_row_ = 0;

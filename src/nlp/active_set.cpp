@@ -35,14 +35,14 @@ int ActiveSet::num_equations() const {
 
 ActiveSet equations_only(const Problem& problem) {
   ActiveSet active;
-  const std::span<const double> lower = problem.lower();
-  const std::span<const double> upper = problem.upper();
-  for (std::size_t i = 0; i < lower.size(); ++i) {
-    active.variables.push_back(lower[i] == upper[i] ? Held::AtLower : Held::No);
+  const auto held = [](const Range& range) {
+    return range.single() ? Held::AtLower : Held::No;
+  };
+  for (int i = 0; i < problem.num_variables(); ++i) {
+    active.variables.push_back(held(problem.variable_range(i)));
   }
   for (int i = 0; i < problem.num_constraints(); ++i) {
-    active.constraints.push_back(
-        problem.constraint_range(i).single() ? Held::AtLower : Held::No);
+    active.constraints.push_back(held(problem.constraint_range(i)));
   }
   return active;
 }
@@ -55,13 +55,9 @@ ActiveSet active_set(Problem& problem, const PrimalDual& point) {
   }
   const int n = problem.num_variables();
   const int m = problem.num_constraints();
-  const std::span<const double> weights = problem.weights();
-  const auto weight = [&](int i) {
-    return weights.empty() ? 1.0 : weights[at(i)];
-  };
   for (int i = 0; i < n; ++i) {
     const auto over_weight = [&](const std::vector<double>& z) {
-      return z.empty() ? 0.0 : z[at(i)] / weight(i);
+      return z.empty() ? 0.0 : z[at(i)] / problem.weight(i);
     };
     active.variables[at(i)] =
         held(problem.variable_range(i), point.x[at(i)],
@@ -70,8 +66,9 @@ ActiveSet active_set(Problem& problem, const PrimalDual& point) {
   std::vector<double> g(at(m));
   problem.eval_g(g);
   for (int i = 0; i < m; ++i) {
-    const double lambda =
-        point.lambda.empty() ? 0.0 : point.lambda[at(i)] / weight(n + i);
+    const double lambda = point.lambda.empty()
+                              ? 0.0
+                              : point.lambda[at(i)] / problem.weight(n + i);
     active.constraints[at(i)] =
         held(problem.constraint_range(i), g[at(i)], -lambda, lambda);
   }

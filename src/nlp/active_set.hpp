@@ -15,6 +15,10 @@ namespace brachisto::nlp {
 /// The bound at which a variable is held, or to which a constraint is an
 /// equation. Fixed variables and equations count as held at their lower bound.
 enum class Held : signed char { No, AtLower, AtUpper };
+/// The bound of a range at which something is held.
+[[nodiscard]] inline double held_value(const Range& range, Held held) {
+  return held == Held::AtUpper ? range.upper : range.lower;
+}
 
 /// Of every variable and every constraint. A constraint that is not held has
 /// no part in the optimality conditions, and no multiplier.

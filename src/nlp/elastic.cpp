@@ -24,17 +24,12 @@ Elastic::Elastic(Problem& problem, std::vector<double> give, double price)
       inner_n_(problem.num_variables()),
       inner_m_(problem.num_constraints()),
       give_(std::move(give)),
-      x_l_(problem.lower().begin(), problem.lower().end()),
-      x_u_(problem.upper().begin(), problem.upper().end()),
       jac_(problem.jac_g_pattern()),
       joined_(at(inner_m_)) {
-  x_l_.push_back(0.0);
-  x_u_.push_back(kInfinity);
   std::vector<int> twin_of(at(inner_m_), -1);
   for (int row = 0; row < inner_m_; ++row) {
     const Range range = problem.constraint_range(row);
-    g_l_.push_back(range.lower);
-    g_u_.push_back(range.upper);
+    ranges_.push_back(range);
     double& give_of_row = give_[at(row)];
     if (give_of_row == 0.0) continue;
     if (!std::isfinite(range.lower)) {
@@ -42,12 +37,11 @@ Elastic::Elastic(Problem& problem, std::vector<double> give, double price)
     } else if (std::isfinite(range.upper)) {
       twin_of[at(row)] = inner_m_ + static_cast<int>(twins_.size());
       twins_.push_back(row);
-      g_u_.back() = kInfinity;
+      ranges_.back().upper = kInfinity;
     }
   }
   for (const int row : twins_) {
-    g_l_.push_back(-kInfinity);
-    g_u_.push_back(problem.constraint_range(row).upper);
+    ranges_.push_back({-kInfinity, problem.constraint_range(row).upper});
     give_.push_back(-give_[at(row)]);
   }
   problem.jac_g_pattern().for_each([&](std::size_t entry, int row, int col) {
@@ -60,20 +54,17 @@ Elastic::Elastic(Problem& problem, std::vector<double> give, double price)
     if (give_[at(row)] == 0.0) continue;
     jac_.add(row, inner_n_);
   }
-  const std::span<const double> w = problem.weights();
-  if (!w.empty()) {
-    weights_ = with_twins(w.first(at(inner_n_)), 1.0, w.subspan(at(inner_n_)));
-  }
 }
 
-std::vector<double> Elastic::with_twins(std::span<const double> of_n,
-                                        double of_t,
-                                        std::span<const double> of_m) const {
-  std::vector<double> out(of_n.begin(), of_n.end());
-  out.push_back(of_t);
-  out.insert(out.end(), of_m.begin(), of_m.end());
-  for (const int row : twins_) out.push_back(of_m[at(row)]);
-  return out;
+Range Elastic::variable_range(int index) const {
+  return index == inner_n_ ? Range{0.0, kInfinity}
+                           : problem_.variable_range(index);
+}
+
+double Elastic::weight(int index) const {
+  if (index < inner_n_) return problem_.weight(index);
+  if (index == inner_n_) return 1.0;
+  return problem_.weight(inner_n_ + row_of(index - inner_n_ - 1));
 }
 
 PrimalDual Elastic::with_elasticity(PrimalDual point, double t) const {
@@ -122,8 +113,7 @@ std::string Elastic::variable_name(int index) const {
 }
 
 std::string Elastic::constraint_name(int index) const {
-  return problem_.constraint_name(
-      index < inner_m_ ? index : twins_[at(index - inner_m_)]);
+  return problem_.constraint_name(row_of(index));
 }
 
 bool Elastic::do_set_point(std::span<const double> x) {

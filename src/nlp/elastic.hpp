@@ -40,17 +40,11 @@ class Elastic final : public Problem {
   [[nodiscard]] int num_constraints() const override {
     return inner_m_ + static_cast<int>(twins_.size());
   }
-  [[nodiscard]] std::span<const double> lower() const override { return x_l_; }
-  [[nodiscard]] std::span<const double> upper() const override { return x_u_; }
-  [[nodiscard]] std::span<const double> constraint_lower() const override {
-    return g_l_;
+  [[nodiscard]] Range variable_range(int index) const override;
+  [[nodiscard]] Range constraint_range(int index) const override {
+    return ranges_[static_cast<std::size_t>(index)];
   }
-  [[nodiscard]] std::span<const double> constraint_upper() const override {
-    return g_u_;
-  }
-  [[nodiscard]] std::span<const double> weights() const override {
-    return weights_;
-  }
+  [[nodiscard]] double weight(int index) const override;
   [[nodiscard]] const SparsityPattern& jac_g_pattern() const override {
     return jac_;
   }
@@ -73,10 +67,11 @@ class Elastic final : public Problem {
   void do_eval_jac_g(std::span<double> values) const override;
   void do_eval_hess_lag(double objective_factor, std::span<const double> lambda,
                         std::span<double> values) const override;
-  /// Of variables and rows, from those of the program.
-  [[nodiscard]] std::vector<double> with_twins(
-      std::span<const double> of_n, double of_t,
-      std::span<const double> of_m) const;
+  /// The row of the program that a row comes from.
+  [[nodiscard]] int row_of(int row) const {
+    return row < inner_m_ ? row
+                          : twins_[static_cast<std::size_t>(row - inner_m_)];
+  }
 
   Problem& problem_;
   double price_;
@@ -84,7 +79,7 @@ class Elastic final : public Problem {
   std::vector<int> twins_;         ///< rows with two bounds
   std::vector<int> twin_entries_;  ///< of the Jacobian, of these rows
   std::vector<double> give_;       ///< by row: g + give t keeps its bounds
-  std::vector<double> x_l_, x_u_, g_l_, g_u_, weights_;
+  std::vector<Range> ranges_;      ///< by row
   SparsityPattern jac_;
   mutable std::vector<double> joined_;  ///< multipliers by row of the program
   double t_ = 0.0;

@@ -86,7 +86,7 @@ std::vector<long double> lagrangian_gradient(
 }
 
 KktResidual kkt_residual(Problem& problem, const PrimalDual& point,
-                         std::span<const double> weights) {
+                         const std::function<double(int)>& weight) {
   const int n = problem.num_variables();
   const int m = problem.num_constraints();
   check_size("lambda", point.lambda, m);
@@ -102,10 +102,6 @@ KktResidual kkt_residual(Problem& problem, const PrimalDual& point,
   // and not of this summation.
   const std::vector<long double> grad =
       lagrangian_gradient(problem, point.lambda);
-  const auto weight = [&](int i) {
-    return weights.empty() ? 1.0 : weights[at(i)];
-  };
-
   KktResidual residual;
   Multipliers multipliers(residual);
   int worst_variable = -1;
@@ -164,6 +160,11 @@ KktResidual kkt_residual(Problem& problem, const PrimalDual& point,
   residual.worst_multiplier = name_of(worst_multiplier);
   residual.barrier_parameter = multipliers.mean();
   return residual;
+}
+
+KktResidual kkt_residual(Problem& problem, const PrimalDual& point) {
+  return kkt_residual(problem, point,
+                      [&](int index) { return problem.weight(index); });
 }
 
 }  // namespace brachisto::nlp

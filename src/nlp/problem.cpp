@@ -29,26 +29,16 @@ void check_point(bool evaluable) {
 
 }  // namespace
 
-Range Problem::variable_range(int index) const {
-  return {lower()[at(index)], upper()[at(index)]};
-}
-
-Range Problem::constraint_range(int index) const {
-  const std::span<const double> lowest = constraint_lower();
-  if (lowest.empty()) return {};
-  return {lowest[at(index)], constraint_upper()[at(index)]};
-}
-
 bool Problem::has_inequalities() const {
-  const auto any = [](std::span<const double> lowest,
-                      std::span<const double> highest) {
-    for (std::size_t i = 0; i < lowest.size(); ++i) {
-      const Range range{lowest[i], highest[i]};
+  const auto any = [](int count, auto range_of) {
+    for (int i = 0; i < count; ++i) {
+      const Range range = range_of(i);
       if (!range.single() && range.bounded()) return true;
     }
     return false;
   };
-  return any(lower(), upper()) || any(constraint_lower(), constraint_upper());
+  return any(num_variables(), [&](int i) { return variable_range(i); }) ||
+         any(num_constraints(), [&](int i) { return constraint_range(i); });
 }
 
 EliminationOrder Problem::elimination_order() const {

@@ -77,27 +77,21 @@ double root_of_length(const Mesh& mesh, int element) {
   return std::exp2(std::round(0.5 * std::log2(mesh.length(element))));
 }
 
-std::vector<double> element_weights(const Layout& layout,
-                                    const CollocationScheme& scheme,
-                                    const Mesh& mesh, int num_constraints) {
-  const int n = layout.num_variables();
-  std::vector<double> weights(at(n + num_constraints), 1.0);
-  for (int c = 0; c < layout.num_points(); ++c) {
+double element_weight(const Layout& layout, const CollocationScheme& scheme,
+                      const Mesh& mesh, int index) {
+  const auto of_point = [&](int c, bool by_length) {
     const double b = scheme.rule.weights[at(c % scheme.degree)];
-    const double share = b * mesh.length(c / scheme.degree);
-    for (int i = 0; i < layout.num_states(); ++i) {
-      weights[at(layout.state(c + 1, 0) + i)] = share;
-      if (c == 0) weights[at(i)] = share;
-      weights[at(n + layout.defect(c, 0) + i)] = b;
-    }
-    for (int k = 0; k < layout.num_controls(); ++k) {
-      weights[at(layout.control(c, k))] = b;
-    }
-    for (int i = 0; i < layout.num_limits(); ++i) {
-      weights[at(n + layout.limit(c, i))] = share;
-    }
+    return by_length ? b * mesh.length(c / scheme.degree) : b;
+  };
+  if (index == layout.last()) return 1.0;
+  if (index < layout.last()) {
+    const int node = layout.node_of(index);
+    return layout.is_state(index) ? of_point(std::max(node - 1, 0), true)
+                                  : of_point(node, false);
   }
-  return weights;
+  const int row = index - layout.num_variables();
+  if (row >= layout.end_of_points()) return 1.0;
+  return of_point(layout.point_of(row), layout.limit_of(row) >= 0);
 }
 
 }  // namespace brachisto::ocp

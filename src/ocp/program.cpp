@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <limits>
 #include <memory>
@@ -26,31 +27,28 @@ Program::Program(Mesh mesh, int num_variables, int num_constraints,
                  const char* place)
     : mesh_(std::move(mesh)),
       num_constraints_(num_constraints),
-      lower_(at(num_variables), -kInfinity),
-      upper_(at(num_variables), kInfinity),
       x_(at(num_variables)),
       place_(place) {}
 
-void Program::bound(int variable, double lower, double upper) {
-  lower_[at(variable)] = lower;
-  upper_[at(variable)] = upper;
+nlp::Range Program::variable_range(int index) const {
+  const auto at_or_behind =
+      std::ranges::lower_bound(fixed_, index, {}, &Fixed::variable);
+  if (at_or_behind == fixed_.end() || at_or_behind->variable != index) {
+    return {-kInfinity, kInfinity};
+  }
+  return {at_or_behind->value, at_or_behind->value};
 }
 
 void Program::fix(int variable, double value) {
-  bound(variable, value, value);
+  release(variable);
+  fixed_.insert(
+      std::ranges::upper_bound(fixed_, variable, {}, &Fixed::variable),
+      {variable, value});
 }
 
 void Program::release(int variable) {
-  bound(variable, -kInfinity, kInfinity);
-}
-
-void Program::bound_row(int row, double lower, double upper) {
-  if (row_lower_.empty()) {
-    row_lower_.resize(at(num_constraints_));
-    row_upper_.resize(at(num_constraints_));
-  }
-  row_lower_[at(row)] = lower;
-  row_upper_[at(row)] = upper;
+  std::erase_if(fixed_,
+                [&](const Fixed& fixed) { return fixed.variable == variable; });
 }
 
 void Program::change_lengths(Mesh mesh) {

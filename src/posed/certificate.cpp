@@ -342,7 +342,8 @@ class Certifier {
 
 nlp::KktResidual first_order(nlp::Problem& program, const PrimalDual& point) {
   nlp::KktResidual residual = nlp::kkt_residual(program, point);
-  const nlp::KktResidual not_weighted = nlp::kkt_residual(program, point, {});
+  const nlp::KktResidual not_weighted =
+      nlp::kkt_residual(program, point, [](int) { return 1.0; });
   residual.complementarity = not_weighted.complementarity;
   residual.sign = not_weighted.sign;
   return residual;

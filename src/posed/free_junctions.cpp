@@ -43,21 +43,16 @@ class FreeJunctions final : public nlp::Problem {
         moved_(boundaries_.size()) {
     const nlp::Problem& inner = *here_.program;
     num_inner_ = inner.num_variables();
-    lower_.assign(inner.lower().begin(), inner.lower().end());
-    upper_.assign(inner.upper().begin(), inner.upper().end());
+    ranges_.reserve(at(num_inner_) + boundaries_.size());
+    for (int v = 0; v < num_inner_; ++v) {
+      ranges_.push_back(inner.variable_range(v));
+    }
     for (int c = 0; c < layout_.num_points() && !held.empty(); ++c) {
       for (int k = 0; k < layout_.num_controls(); ++k) {
-        const auto v = at(layout_.control(c, k));
-        switch (held[at(c / first_.degree)][at(k)]) {
-          case nlp::Held::AtLower:
-            upper_[v] = lower_[v];
-            break;
-          case nlp::Held::AtUpper:
-            lower_[v] = upper_[v];
-            break;
-          case nlp::Held::No:
-            break;
-        }
+        const nlp::Held here = held[at(c / first_.degree)][at(k)];
+        if (here == nlp::Held::No) continue;
+        nlp::Range& range = ranges_[at(layout_.control(c, k))];
+        range.lower = range.upper = nlp::held_value(range, here);
       }
     }
     jac_ = inner.jac_g_pattern();
@@ -66,8 +61,8 @@ class FreeJunctions final : public nlp::Problem {
       const int b = boundaries_[i];
       constexpr double kRoom = 0.45;  // less than a half: they do not meet
       const double sigma = first_.boundaries[at(b)];
-      lower_.push_back(sigma - kRoom * first_.length(b - 1));
-      upper_.push_back(sigma + kRoom * first_.length(b));
+      ranges_.push_back({sigma - kRoom * first_.length(b - 1),
+                         sigma + kRoom * first_.length(b)});
       const int index = num_inner_ + static_cast<int>(i);
       for (int row = first_row(b); row < end_row(b); ++row) {
         jac_.add(row, index);
@@ -77,9 +72,6 @@ class FreeJunctions final : public nlp::Problem {
       }
       hess_.add(index, layout_.last());
     }
-    const std::span<const double> weights = inner.weights();
-    weights_.assign(weights.begin(), weights.end());
-    weights_.insert(weights_.begin() + num_inner_, boundaries_.size(), 1.0);
   }
 
   [[nodiscard]] int num_variables() const override {
@@ -88,20 +80,16 @@ class FreeJunctions final : public nlp::Problem {
   [[nodiscard]] int num_constraints() const override {
     return here_.program->num_constraints();
   }
-  [[nodiscard]] std::span<const double> lower() const override {
-    return lower_;
+  [[nodiscard]] nlp::Range variable_range(int index) const override {
+    return ranges_[at(index)];
   }
-  [[nodiscard]] std::span<const double> upper() const override {
-    return upper_;
+  [[nodiscard]] nlp::Range constraint_range(int index) const override {
+    return here_.program->constraint_range(index);
   }
-  [[nodiscard]] std::span<const double> constraint_lower() const override {
-    return here_.program->constraint_lower();
-  }
-  [[nodiscard]] std::span<const double> constraint_upper() const override {
-    return here_.program->constraint_upper();
-  }
-  [[nodiscard]] std::span<const double> weights() const override {
-    return weights_;
+  [[nodiscard]] double weight(int index) const override {
+    if (index < num_inner_) return here_.program->weight(index);
+    const int behind = index - static_cast<int>(boundaries_.size());
+    return behind < num_inner_ ? 1.0 : here_.program->weight(behind);
   }
   [[nodiscard]] const nlp::SparsityPattern& jac_g_pattern() const override {
     return jac_;
@@ -290,7 +278,7 @@ class FreeJunctions final : public nlp::Problem {
   Inner here_;
   std::vector<Inner> moved_;
   int num_inner_ = 0;
-  std::vector<double> lower_, upper_, weights_;
+  std::vector<nlp::Range> ranges_;  ///< of variables
   nlp::SparsityPattern jac_, hess_;
   std::string refusal_;
 };

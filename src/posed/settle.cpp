@@ -151,15 +151,13 @@ PrimalDual Settling::start(nlp::Problem& program, const Mesh& mesh) const {
   if (layout_.num_limits() == 0 || !program.set_point(out.x)) return out;
   std::vector<double> g(at(program.num_constraints()));
   program.eval_g(g);
-  const std::span<const double> weights = program.weights();
   for (int c = 0; c < layout_.num_points(); ++c) {
     for (int i = 0; i < layout_.num_limits(); ++i) {
       const int row = layout_.limit(c, i);
       const nlp::Range range = program.constraint_range(row);
       if (range.single()) continue;
       double& lambda = out.lambda[at(row)];
-      const double weight =
-          weights.empty() ? 1.0 : weights[at(program.num_variables() + row)];
+      const double weight = program.weight(program.num_variables() + row);
       const auto reaches = [&](double distance) {
         return weight * (2.0 * std::abs(distance) + kOff);
       };

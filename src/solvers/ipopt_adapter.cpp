@@ -80,9 +80,10 @@ bool IpoptAdapter::get_nlp_info(Index& n, Index& m, Index& nnz_jac_g,
 
 bool IpoptAdapter::get_bounds_info(Index n, Number* x_l, Number* x_u, Index m,
                                    Number* g_l, Number* g_u) {
-  for (std::size_t i = 0; i < at(n); ++i) {
-    x_l[i] = std::max(problem_.lower()[i], -kNoBound);
-    x_u[i] = std::min(problem_.upper()[i], kNoBound);
+  for (Index i = 0; i < n; ++i) {
+    const nlp::Range range = problem_.variable_range(i);
+    x_l[i] = std::max(range.lower, -kNoBound);
+    x_u[i] = std::min(range.upper, kNoBound);
   }
   for (Index i = 0; i < m; ++i) {
     const nlp::Range range = problem_.constraint_range(i);

@@ -58,24 +58,17 @@ bool KktSystem::evaluate(std::span<const double> x,
   problem_.jac_g_pattern().for_each([&](std::size_t entry, int row, int col) {
     wide[at(col)] += static_cast<long double>(jac_g_[entry]) * lambda_[at(row)];
   });
-  const auto bound = [](nlp::Held held, std::span<const double> lower,
-                        std::span<const double> upper, int i) {
-    return held == nlp::Held::AtUpper ? upper[at(i)] : lower[at(i)];
-  };
-  const std::span<const double> x_l = problem_.lower();
-  const std::span<const double> x_u = problem_.upper();
   for (int i = 0; i < n_; ++i) {
-    residual_[at(i)] =
-        given(i) ? x[at(i)] - bound(active_.variables[at(i)], x_l, x_u, i)
-                 : static_cast<double>(wide[at(i)]);
+    residual_[at(i)] = given(i)
+                           ? x[at(i)] - held_value(problem_.variable_range(i),
+                                                   active_.variables[at(i)])
+                           : static_cast<double>(wide[at(i)]);
   }
-  const std::span<const double> g_l = problem_.constraint_lower();
-  const std::span<const double> g_u = problem_.constraint_upper();
-  for (int i = 0; !g_l.empty() && i < m_; ++i) {
+  for (int i = 0; i < m_; ++i) {
     double& value = residual_[at(n_ + i)];
-    value = given(n_ + i)
-                ? lambda_[at(i)]
-                : value - bound(active_.constraints[at(i)], g_l, g_u, i);
+    value = given(n_ + i) ? lambda_[at(i)]
+                          : value - held_value(problem_.constraint_range(i),
+                                               active_.constraints[at(i)]);
   }
   if (tangency_ != nullptr) {
     tangency_at_ = tangency_->linearise(x, lambda);

@@ -295,7 +295,7 @@ std::vector<double> left_on_elements(const LimitedCurve& curve) {
   const double rounding = problem.rounding(curve.point().x);
   for (int i = 0; i < layout.rolling_time(); ++i) {
     if (problem.variable_range(i).single()) continue;
-    const double weight = problem.weights()[at(i)];
+    const double weight = problem.weight(i);
     // What rounding leaves on so short an element a shorter one has more of.
     if (rounding > kPasses * weight) continue;
     const double ratio = std::abs(static_cast<double>(gradient[at(i)])) /

@@ -208,8 +208,8 @@ void check_turning(const ExtremalCurve& curve, double threshold,
 void check_second_order(Transcription& problem, const PrimalDual& point,
                         Certificate& certificate) {
   int free = 0;
-  for (std::size_t i = 0; i < point.x.size(); ++i) {
-    if (problem.lower()[i] != problem.upper()[i]) ++free;
+  for (int i = 0; i < problem.num_variables(); ++i) {
+    if (!problem.variable_range(i).single()) ++free;
   }
   const Inertia inertia = kkt_inertia(problem, point);
   const double wrong = inertia.known

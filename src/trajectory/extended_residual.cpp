@@ -47,9 +47,9 @@ class Judge {
   /// The Lagrangian's derivative has to be zero by a free variable, and a fixed
   /// one has to have its value.
   void see_slope(int variable, Real slope) {
-    const double value = problem_.lower()[at(variable)];
-    if (value == problem_.upper()[at(variable)]) {
-      fixed_value_.see(static_cast<Real>(point_.x[at(variable)]) - value,
+    const nlp::Range range = problem_.variable_range(variable);
+    if (range.single()) {
+      fixed_value_.see(static_cast<Real>(point_.x[at(variable)]) - range.lower,
                        variable);
     } else {
       stationarity_.see(slope, variable);

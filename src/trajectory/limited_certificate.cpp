@@ -132,29 +132,19 @@ void check_limits(const LimitedCurve& curve, Certificate& certificate) {
   certificate.add("limits", worst, kAllowed, where);
 }
 
-/// Of states, control and rows as the problem has them; but multipliers at the
-/// end of an element are impulses, whatever its length, of a limit that holds
-/// there alone, touched or about to be held, and of all where one is touched.
-std::vector<double> weights_of(const LimitedCurve& curve,
-                               const LimitedTime& problem) {
-  std::vector<double> weights(problem.weights().begin(),
-                              problem.weights().end());
-  const LimitedTime& held = curve.problem();
-  if (!held.held()) return weights;
-  for (int c = 0; c < problem.layout().num_points(); ++c) {
-    const std::size_t e = at(c / problem.mesh().degree);
-    const std::vector<nlp::Held>& all_along = held.held()->in_element[e];
-    const bool last = (c + 1) % problem.mesh().degree == 0;
-    const bool touched = last && !held.held()->at_end[e].empty();
-    for (int i = 0; i < problem.layout().num_limits(); ++i) {
-      if (held.held_at(c, i) == nlp::Held::No ||
-          (!touched && all_along[at(i)] != nlp::Held::No)) {
-        continue;
-      }
-      weights[at(problem.num_variables() + problem.layout().limit(c, i))] = 1.0;
-    }
-  }
-  return weights;
+/// Multipliers at the end of an element are impulses, whatever its length, of a
+/// limit that holds there alone, touched or about to be held, and of all where
+/// one is touched.
+bool is_impulse(const LimitedTime& problem, int row) {
+  const VariableLayout& layout = problem.layout();
+  if (!problem.held() || row >= layout.end_of_points()) return false;
+  const int c = layout.point_of(row), i = layout.limit_of(row);
+  if (i < 0 || problem.held_at(c, i) == nlp::Held::No) return false;
+  const HeldLimits& held = *problem.held();
+  const std::size_t e = at(c / problem.mesh().degree);
+  const bool last = (c + 1) % problem.mesh().degree == 0;
+  const bool touched = last && !held.at_end[e].empty();
+  return touched || held.in_element[e][at(i)] == nlp::Held::No;
 }
 
 /// On the critical cone: limits that hold are equations, the others are absent.
@@ -185,16 +175,25 @@ void check_conditions(const LimitedCurve& curve, double error,
   // it does quadratically at junctions. One of −ε, even along the whole path,
   // is worth ε² in T, for the control that gives way changes by as much.
   constexpr double kSign = 1e-6;
-  LimitedTime problem = curve.problem().as_inequalities();
-  const std::vector<double> weights = weights_of(curve, problem);
+  const LimitedTime& held = curve.problem();
+  LimitedTime problem = held.as_inequalities();
+  // Of states, control and rows as the problem has them.
+  const int n = problem.num_variables();
+  const auto weight = [&](int i) {
+    return i >= n && is_impulse(held, i - n) ? 1.0 : problem.weight(i);
+  };
   const nlp::KktResidual residual =
-      nlp::kkt_residual(problem, curve.point(), weights);
+      nlp::kkt_residual(problem, curve.point(), weight);
+  double least_weight = 1.0;
+  for (int i = 0; i < n + problem.num_constraints(); ++i) {
+    least_weight = std::min(least_weight, weight(i));
+  }
   // Stationarity is a sum of multipliers times matrix entries, as a defect is
   // one of unknowns. Over the weight of a short element rounding alone may be
   // more.
   const double rounding = std::max(problem.rounding(curve.point().x),
                                    problem.rounding(curve.point().lambda)) /
-                          *std::min_element(weights.begin(), weights.end());
+                          least_weight;
   certificate.add("kkt_residual", residual.stationarity,
                   std::max(kThresholds.kkt_residual, rounding),
                   residual.worst_variable);

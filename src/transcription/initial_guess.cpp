@@ -30,8 +30,8 @@ double theta_after(const Body& body, double s) {
 Point fixed_centre(const Transcription& problem, int node) {
   using enum StateComponent;
   const auto bound = [&](StateComponent component) {
-    return problem.lower()[static_cast<std::size_t>(
-        problem.layout().state(node, component))];
+    return problem.variable_range(problem.layout().state(node, component))
+        .lower;
   };
   return {bound(X), bound(Z)};
 }

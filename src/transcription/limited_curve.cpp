@@ -314,10 +314,10 @@ PrimalDual sample_at_mesh(
     out.lambda[at(layout.defect(c, Beta))] = -b * point.p_beta;
     for (int i = 0; i < layout.num_limits(); ++i) {
       const double mu = h * rolling_time * b * point.multipliers[at(i)];
-      const auto row = at(layout.limit(c, i));
-      const bool above = std::isfinite(problem.constraint_upper()[row]);
-      const bool below = std::isfinite(problem.constraint_lower()[row]);
-      out.lambda[row] = (mu < 0.0 ? below : above) ? mu : 0.0;
+      const int row = layout.limit(c, i);
+      const nlp::Range range = problem.constraint_range(row);
+      out.lambda[at(row)] =
+          std::isfinite(mu < 0.0 ? range.lower : range.upper) ? mu : 0.0;
     }
   }
   out.x[at(layout.last())] = rolling_time;

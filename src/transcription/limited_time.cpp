@@ -55,14 +55,8 @@ LimitedTime::LimitedTime(const Scene& scene, std::vector<PathInequality> limits,
           }),
       ends_(ends),
       held_(std::move(held)) {
-  set_up();
+  fix_ends();
   build_patterns();
-}
-
-void LimitedTime::set_up() {
-  fix_start();
-  weigh(ocp::element_weights(layout(), scheme(), mesh(), num_constraints()));
-  bound_limits();
 }
 
 void LimitedTime::change(std::vector<PathInequality> limits, Mesh mesh,
@@ -72,19 +66,38 @@ void LimitedTime::change(std::vector<PathInequality> limits, Mesh mesh,
   std::get<0>(collocation_).describe(std::move(changed));
   ends_ = ends;
   change_lengths(std::move(mesh));
-  set_up();
+  fix_ends();
 }
 
-void LimitedTime::bound_slopes(double steepest) {
-  for (int node = 0; node < layout().num_nodes(); ++node) {
-    const int beta = layout().state(node, Beta);
-    if (!variable_range(beta).single()) bound(beta, -steepest, steepest);
+nlp::Range LimitedTime::variable_range(int index) const {
+  const nlp::Range given = CollocatedTime::variable_range(index);
+  const bool is_slope = index != layout().last() &&
+                        index % layout().stride() == layout().state(0, Beta);
+  if (given.single() || !is_slope) return given;
+  return {-steepest_, steepest_};
+}
+
+nlp::Range LimitedTime::constraint_range(int index) const {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  constexpr nlp::Range kAny{-kInfinity, kInfinity};
+  const bool at_rest = index >= layout().end_of_points();
+  const int i =
+      at_rest ? index - layout().start_row(0) : layout().limit_of(index);
+  if (i < 0) return {};
+  const int c = layout().point_of(index);
+  // The place of the last point is given: its limit would say so again.
+  if (!free_contacts() && c == layout().num_points() - 1 &&
+      collocation().limit_is_of(i, {rolling::kX, rolling::kZ})) {
+    return kAny;
   }
-}
-
-void LimitedTime::draw_in(std::vector<std::vector<double>> margins) {
-  margins_ = std::move(margins);
-  bound_limits();
+  const double margin = at_rest ? 0.0 : this->margin(c, i);
+  const PathInequality& limit = limits()[at(i)];
+  const nlp::Range range{limit.lower + margin, limit.upper - margin};
+  if (!held_) return range;
+  const nlp::Held here = at_rest ? held_->at_rest[at(i)] : held_at(c, i);
+  if (here == nlp::Held::No) return kAny;
+  const double value = nlp::held_value(range, here);
+  return {value, value};
 }
 
 double LimitedTime::margin(int point, int limit) const {
@@ -95,38 +108,7 @@ double LimitedTime::margin(int point, int limit) const {
   return from_A * margins_[at(e)][at(limit)];
 }
 
-void LimitedTime::bound_limits() {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  const auto bound = [&](int row, const PathInequality& limit, nlp::Held where,
-                         double margin = 0.0) {
-    double lower = limit.lower + margin;
-    double upper = limit.upper - margin;
-    if (held_) {
-      const double value = where == nlp::Held::AtLower ? lower : upper;
-      lower = where == nlp::Held::No ? -kInfinity : value;
-      upper = where == nlp::Held::No ? kInfinity : value;
-    }
-    bound_row(row, lower, upper);
-  };
-  for (int i = 0; i < layout().num_limits(); ++i) {
-    for (int c = 0; c < layout().num_points(); ++c) {
-      bound(layout().limit(c, i), limits()[at(i)],
-            held_ ? held_at(c, i) : nlp::Held::No, margin(c, i));
-    }
-    // The place of the last point is given: its limit would say so again.
-    if (!free_contacts() &&
-        collocation().limit_is_of(i, {rolling::kX, rolling::kZ})) {
-      bound_row(layout().limit(layout().num_points() - 1, i), -kInfinity,
-                kInfinity);
-    }
-    if (i < layout().num_start_rows()) {
-      bound(layout().start_row(i), limits()[at(i)],
-            held_ ? held_->at_rest[at(i)] : nlp::Held::No);
-    }
-  }
-}
-
-void LimitedTime::fix_start() {
+void LimitedTime::fix_ends() {
   const Body& body = scene().body;
   if (layout().has_theta()) fix(layout().state(0, Theta), body.theta_m);
   if (free_contacts()) {

@@ -8,8 +8,10 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "brachisto/math/index.hpp"
@@ -93,7 +95,9 @@ class LimitedTime final : public CollocatedTime<rolling::Turning> {
   ///
   /// \param margins  by element, then limit, ≥ 0; or none
   /// \pre no limit is held as an equation
-  void draw_in(std::vector<std::vector<double>> margins);
+  void draw_in(std::vector<std::vector<double>> margins) {
+    margins_ = std::move(margins);
+  }
   /// By which the bounds of a limit are drawn in at a point.
   [[nodiscard]] double margin(int point, int limit) const;
   /// The same program with other bounds of its limits, lengths of its elements
@@ -105,8 +109,11 @@ class LimitedTime final : public CollocatedTime<rolling::Turning> {
   [[nodiscard]] TurningPoint<Scalar> resting(const Scalar& slope) const {
     TurningPoint<Scalar> out = resting_at(scene(), slope);
     if (!free_contacts()) {  // the centre is fixed, whatever β(0)
-      out.x = Scalar(lower()[at(layout().state(0, StateComponent::X))]);
-      out.z = Scalar(lower()[at(layout().state(0, StateComponent::Z))]);
+      const auto given = [&](StateComponent of) {
+        return Scalar(variable_range(layout().state(0, of)).lower);
+      };
+      out.x = given(StateComponent::X);
+      out.z = given(StateComponent::Z);
     }
     return out;
   }
@@ -134,7 +141,12 @@ class LimitedTime final : public CollocatedTime<rolling::Turning> {
     return number % 2 == 0 ? off.x : off.z;
   }
   /// Keeps |β| below a bound [rad] wherever it is not fixed.
-  void bound_slopes(double steepest);
+  void bound_slopes(double steepest) { steepest_ = steepest; }
+  [[nodiscard]] nlp::Range variable_range(int index) const override;
+  [[nodiscard]] nlp::Range constraint_range(int index) const override;
+  [[nodiscard]] double weight(int index) const override {
+    return ocp::element_weight(layout(), scheme(), mesh(), index);
+  }
   /// Adds rate times the derivative of ∇ₓL (n values), then g (m), by the
   /// length of an element, at the current point.
   void add_rates_by_length(int element, double rate,
@@ -158,10 +170,7 @@ class LimitedTime final : public CollocatedTime<rolling::Turning> {
   [[nodiscard]] Costates start_costates(std::span<const double> lambda) const;
 
  private:
-  /// What depends on the bounds of limits, the lengths and the ends.
-  void set_up();
-  void fix_start();
-  void bound_limits();
+  void fix_ends();
   [[nodiscard]] const ocp::Collocation<rolling::Turning>& collocation() const {
     return std::get<0>(collocation_);
   }
@@ -188,6 +197,7 @@ class LimitedTime final : public CollocatedTime<rolling::Turning> {
   LimitedEnds ends_;
   std::optional<HeldLimits> held_;
   std::vector<std::vector<double>> margins_;  ///< see draw_in()
+  double steepest_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace brachisto

@@ -31,7 +31,8 @@ PrimalDual completed(ArcLength& problem, std::vector<double> x, double S,
                      const Costates& p) {
   const VariableLayout& layout = problem.layout();
   const int last = layout.state(problem.num_intervals(), X);
-  for (const int i : {last, last + 1}) x[at(i)] = problem.lower()[at(i)];
+  for (const int i : {last, last + 1})
+    x[at(i)] = problem.variable_range(i).lower;
   x[at(layout.arc_length())] = S;
   const double turns = S / problem.scene().body.radius;
   for (int node = 1; layout.has_theta() && node < layout.num_nodes(); ++node) {

@@ -51,11 +51,8 @@ class WrongHessian final : public nlp::Problem {
   [[nodiscard]] int num_constraints() const override {
     return right_.num_constraints();
   }
-  [[nodiscard]] std::span<const double> lower() const override {
-    return right_.lower();
-  }
-  [[nodiscard]] std::span<const double> upper() const override {
-    return right_.upper();
+  [[nodiscard]] nlp::Range variable_range(int index) const override {
+    return right_.variable_range(index);
   }
   [[nodiscard]] const nlp::SparsityPattern& jac_g_pattern() const override {
     return right_.jac_g_pattern();

@@ -21,10 +21,8 @@ constexpr double kSolved = 1e-8;
 class TwoRows final : public BoundedProblem {
  public:
   TwoRows(nlp::Range of_x, nlp::Range of_rest) {
-    x_l_ = {-kNoBound};
-    x_u_ = {kNoBound};
-    g_l_ = {of_x.lower, of_rest.lower};
-    g_u_ = {of_x.upper, of_rest.upper};
+    ranges_ = {{-kNoBound, kNoBound}};
+    row_ranges_ = {of_x, of_rest};
     jac_ = {{0, 0}, {1, 0}};
     hess_ = {{0, 0}};
   }

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "brachisto/math/index.hpp"
 #include "brachisto/nlp/problem.hpp"
 
 namespace brachisto::testing {
@@ -40,11 +41,8 @@ class TinyProblem final : public nlp::Problem {
 
   [[nodiscard]] int num_variables() const override { return 3; }
   [[nodiscard]] int num_constraints() const override { return 2; }
-  [[nodiscard]] std::span<const double> lower() const override {
-    return lower_;
-  }
-  [[nodiscard]] std::span<const double> upper() const override {
-    return upper_;
+  [[nodiscard]] nlp::Range variable_range(int index) const override {
+    return ranges_[at(index)];
   }
   [[nodiscard]] const nlp::SparsityPattern& jac_g_pattern() const override {
     return jac_g_pattern_;
@@ -103,8 +101,7 @@ class TinyProblem final : public nlp::Problem {
   }
 
   static constexpr double kFree = std::numeric_limits<double>::infinity();
-  std::vector<double> lower_{-kFree, -kFree, 2.0};
-  std::vector<double> upper_{kFree, kFree, 2.0};
+  std::vector<nlp::Range> ranges_{{-kFree, kFree}, {-kFree, kFree}, {2.0, 2.0}};
   nlp::SparsityPattern jac_g_pattern_, hess_lag_pattern_;
   std::vector<double> x_;
 };

@@ -49,14 +49,12 @@ AslProgram::AslProgram(const std::filesystem::path& nl_file)
     throw std::runtime_error("not understood: " + stub);
   }
   for (int i = 0; i < n_var; ++i) {
-    lower_.push_back(bound(LUv[2 * i]));
-    upper_.push_back(bound(LUv[2 * i + 1]));
+    ranges_.push_back({bound(LUv[2 * i]), bound(LUv[2 * i + 1])});
     start_.x.push_back(X0[i]);
   }
   std::vector<nlp::SparsityPattern::Position> jacobian(place(nzc));
   for (int i = 0; i < n_con; ++i) {
-    row_lower_.push_back(bound(LUrhs[2 * i]));
-    row_upper_.push_back(bound(LUrhs[2 * i + 1]));
+    row_ranges_.push_back({bound(LUrhs[2 * i]), bound(LUrhs[2 * i + 1])});
     if (pi0 != nullptr) start_.lambda.push_back(-pi0[i]);
     for (const cgrad* entry = Cgrad[i]; entry != nullptr; entry = entry->next) {
       jacobian[place(entry->goff)] = {i, entry->varno};

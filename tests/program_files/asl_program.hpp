@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "brachisto/math/index.hpp"
 #include "brachisto/nlp/problem.hpp"
 
 namespace brachisto::testing {
@@ -25,17 +26,11 @@ class AslProgram final : public nlp::Problem {
 
   [[nodiscard]] int num_variables() const override;
   [[nodiscard]] int num_constraints() const override;
-  [[nodiscard]] std::span<const double> lower() const override {
-    return lower_;
+  [[nodiscard]] nlp::Range variable_range(int index) const override {
+    return ranges_[at(index)];
   }
-  [[nodiscard]] std::span<const double> upper() const override {
-    return upper_;
-  }
-  [[nodiscard]] std::span<const double> constraint_lower() const override {
-    return row_lower_;
-  }
-  [[nodiscard]] std::span<const double> constraint_upper() const override {
-    return row_upper_;
+  [[nodiscard]] nlp::Range constraint_range(int index) const override {
+    return row_ranges_[at(index)];
   }
   [[nodiscard]] const nlp::SparsityPattern& jac_g_pattern() const override {
     return jacobian_;
@@ -67,7 +62,7 @@ class AslProgram final : public nlp::Problem {
                         std::span<double> values) const override;
 
   std::unique_ptr<Library> library_;
-  std::vector<double> lower_, upper_, row_lower_, row_upper_;
+  std::vector<nlp::Range> ranges_, row_ranges_;
   nlp::SparsityPattern jacobian_, hessian_;
   PrimalDual start_;
   std::vector<double> x_, g_;

@@ -56,8 +56,7 @@ Kkt kkt_at(RollingTime& problem, const std::vector<double>& x,
         kkt.jac[e]);
   }
   for (int i = 0; i < size; ++i) {
-    const auto v = static_cast<std::size_t>(i);
-    if (i < n && problem.lower()[v] == problem.upper()[v]) continue;
+    if (i < n && problem.variable_range(i).single()) continue;
     kkt.free.push_back(i);
   }
   kkt.dense = all(kkt.free, kkt.free);

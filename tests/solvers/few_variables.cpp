@@ -26,21 +26,15 @@ constexpr double kOfHessian = 10.0 * kStep * kStep;
 class NearestPointWithBound final : public nlp::Problem {
  public:
   explicit NearestPointWithBound(double least_y = -10.0)
-      : lower_{-10.0, least_y} {}
+      : ranges_{{{-10.0, 1.0}, {least_y, 10.0}}} {}
 
   [[nodiscard]] int num_variables() const override { return 2; }
   [[nodiscard]] int num_constraints() const override { return 1; }
-  [[nodiscard]] std::span<const double> lower() const override {
-    return lower_;
+  [[nodiscard]] nlp::Range variable_range(int index) const override {
+    return ranges_[at(index)];
   }
-  [[nodiscard]] std::span<const double> upper() const override {
-    return upper_;
-  }
-  [[nodiscard]] std::span<const double> constraint_lower() const override {
-    return row_lower_;
-  }
-  [[nodiscard]] std::span<const double> constraint_upper() const override {
-    return row_upper_;
+  [[nodiscard]] nlp::Range constraint_range(int index) const override {
+    return row_ranges_[at(index)];
   }
   [[nodiscard]] const nlp::SparsityPattern& jac_g_pattern() const override {
     return pattern_;
@@ -76,8 +70,8 @@ class NearestPointWithBound final : public nlp::Problem {
                         std::span<double>) const override {}
 
   std::array<double, 2> x_{};
-  std::array<double, 2> lower_, upper_{1.0, 10.0};
-  std::array<double, 1> row_lower_{-1.0}, row_upper_{10.0};
+  std::array<nlp::Range, 2> ranges_;
+  std::array<nlp::Range, 1> row_ranges_{{{-1.0, 10.0}}};
   nlp::SparsityPattern pattern_{{0, 0}, {0, 1}}, none_;
 };
 

@@ -25,21 +25,19 @@ inline constexpr double kNoBound = std::numeric_limits<double>::infinity();
 class BoundedProblem : public nlp::Problem {
  public:
   [[nodiscard]] int num_variables() const override {
-    return static_cast<int>(x_l_.size());
+    return static_cast<int>(ranges_.size());
   }
   [[nodiscard]] int num_constraints() const override {
-    return static_cast<int>(g_l_.size());
+    return static_cast<int>(row_ranges_.size());
   }
-  [[nodiscard]] std::span<const double> lower() const override { return x_l_; }
-  [[nodiscard]] std::span<const double> upper() const override { return x_u_; }
-  [[nodiscard]] std::span<const double> constraint_lower() const override {
-    return g_l_;
+  [[nodiscard]] nlp::Range variable_range(int index) const override {
+    return ranges_[at(index)];
   }
-  [[nodiscard]] std::span<const double> constraint_upper() const override {
-    return g_u_;
+  [[nodiscard]] nlp::Range constraint_range(int index) const override {
+    return row_ranges_[at(index)];
   }
-  [[nodiscard]] std::span<const double> weights() const override {
-    return weights_;
+  [[nodiscard]] double weight(int index) const override {
+    return weights_.empty() ? 1.0 : weights_[at(index)];
   }
   [[nodiscard]] const nlp::SparsityPattern& jac_g_pattern() const override {
     return jac_;
@@ -62,17 +60,16 @@ class BoundedProblem : public nlp::Problem {
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
   void add_variable(double lower, double upper) {
-    x_l_.push_back(lower);
-    x_u_.push_back(upper);
+    ranges_.push_back({lower, upper});
   }
   void add_constraint(double lower, double upper) {
-    g_l_.push_back(lower);
-    g_u_.push_back(upper);
+    row_ranges_.push_back({lower, upper});
   }
   void add_jac(int row, int col) { jac_.add(row, col); }
   void add_hess(int row, int col) { hess_.add(row, col); }
 
-  std::vector<double> x_, x_l_, x_u_, g_l_, g_u_, weights_;
+  std::vector<double> x_, weights_;
+  std::vector<nlp::Range> ranges_, row_ranges_;
   nlp::SparsityPattern jac_, hess_;
   nlp::ChainStructure chain_;
 
@@ -171,7 +168,7 @@ class Obstacle final : public BoundedProblem {
       add_jac(j - 1, j);
       chain_.block.push_back(2 * j + 1);
     }
-    weights_.assign(x_l_.size() + g_l_.size(), h());
+    weights_.assign(ranges_.size() + row_ranges_.size(), h());
   }
 
   /// y_j and the force on node j, in closed form.
@@ -187,7 +184,7 @@ class Obstacle final : public BoundedProblem {
     return from_middle == contact() ? last_force(contact()) : 0.0;
   }
   [[nodiscard]] std::vector<double> start() const {
-    return std::vector<double>(x_l_.size(), 0.5);
+    return std::vector<double>(ranges_.size(), 0.5);
   }
 
  private:
@@ -294,7 +291,7 @@ class DoubleIntegrator final : public BoundedProblem {
       chain_.block.push_back(2 * j + 1);
       add_jac(rows_ * j + 2, u(j));
     }
-    weights_.assign(x_l_.size() + g_l_.size(), 1.0 / N_);
+    weights_.assign(ranges_.size() + row_ranges_.size(), 1.0 / N_);
     weights_[at(T())] = 1.0;
   }
 
@@ -310,10 +307,10 @@ class DoubleIntegrator final : public BoundedProblem {
     const double h = time / N_;
     const double a = 0.5 * time;
     PrimalDual out;
-    out.x.resize(x_l_.size());
-    out.lambda.resize(g_l_.size());
-    out.z_lower.assign(x_l_.size(), 0.0);
-    out.z_upper.assign(x_l_.size(), 0.0);
+    out.x.resize(ranges_.size());
+    out.lambda.resize(row_ranges_.size());
+    out.z_lower.assign(ranges_.size(), 0.0);
+    out.z_upper.assign(ranges_.size(), 0.0);
     for (int j = 0; j <= N_; ++j) {
       const bool first_half = 2 * j < N_;
       const double from_end = h * (first_half ? j : N_ - j);
@@ -337,7 +334,7 @@ class DoubleIntegrator final : public BoundedProblem {
     return out;
   }
   [[nodiscard]] std::vector<double> start() const {
-    std::vector<double> out(x_l_.size(), 0.0);
+    std::vector<double> out(ranges_.size(), 0.0);
     for (int j = 0; j <= N_; ++j) {
       out[at(x(j))] = static_cast<double>(j) / N_;
       if (j > 0 && j < N_) out[at(v(j))] = 0.3;

@@ -98,7 +98,7 @@ TEST(NewtonKkt, SolvesForTheParameterToo) {
   EXPECT_NEAR(result.point.lambda[0], -1.0, 1e-12);
   EXPECT_NEAR(result.phi, 1.0, 1e-12);
   // The problem is left with the values that belong to the result.
-  EXPECT_EQ(problem.lower()[2], result.phi);
+  EXPECT_EQ(problem.variable_range(2).lower, result.phi);
 }
 
 TEST(NewtonKkt, TellsABranchFromItsNeighbour) {
@@ -167,7 +167,7 @@ class OnATrack : public ::testing::Test {
     Random random(seed);
     PrimalDual out = point;
     for (std::size_t i = 0; i < out.x.size(); ++i) {
-      if (problem.lower()[i] == problem.upper()[i]) continue;
+      if (problem.variable_range(static_cast<int>(i)).single()) continue;
       out.x[i] += random.uniform(-size, size);
     }
     for (double& value : out.lambda) value += random.uniform(-size, size);

@@ -35,8 +35,8 @@ class QuadraticProblem final : public nlp::Problem {
   QuadraticProblem(Eigen::MatrixXd H, Eigen::MatrixXd J)
       : H_(std::move(H)),
         J_(std::move(J)),
-        lower_(at(H_.rows()), -std::numeric_limits<double>::infinity()),
-        upper_(at(H_.rows()), std::numeric_limits<double>::infinity()) {
+        ranges_(at(H_.rows()), {-std::numeric_limits<double>::infinity(),
+                                std::numeric_limits<double>::infinity()}) {
     for (int i = 0; i < H_.rows(); ++i) {
       for (int j = 0; j <= i; ++j) {
         for (int half = 0; half < 2; ++half) {
@@ -50,7 +50,7 @@ class QuadraticProblem final : public nlp::Problem {
   }
 
   void fix(int variable, double value) {
-    lower_[at(variable)] = upper_[at(variable)] = value;
+    ranges_[at(variable)] = {value, value};
   }
 
   [[nodiscard]] int num_variables() const override {
@@ -59,11 +59,8 @@ class QuadraticProblem final : public nlp::Problem {
   [[nodiscard]] int num_constraints() const override {
     return static_cast<int>(J_.rows());
   }
-  [[nodiscard]] std::span<const double> lower() const override {
-    return lower_;
-  }
-  [[nodiscard]] std::span<const double> upper() const override {
-    return upper_;
+  [[nodiscard]] nlp::Range variable_range(int index) const override {
+    return ranges_[at(index)];
   }
   [[nodiscard]] const nlp::SparsityPattern& jac_g_pattern() const override {
     return jac_pattern_;
@@ -116,7 +113,8 @@ class QuadraticProblem final : public nlp::Problem {
   }
 
   Eigen::MatrixXd H_, J_;
-  std::vector<double> x_, lower_, upper_;
+  std::vector<double> x_;
+  std::vector<nlp::Range> ranges_;
   nlp::SparsityPattern jac_pattern_, hess_pattern_;
 };
 

@@ -33,18 +33,15 @@ class SmallProblem : public nlp::Problem {
       [](std::span<const double>) { return false; };
 
   void fix(int variable, double value) {
-    lower_[at(variable)] = upper_[at(variable)] = value;
+    ranges_[at(variable)] = {value, value};
   }
 
   [[nodiscard]] int num_variables() const override {
-    return static_cast<int>(lower_.size());
+    return static_cast<int>(ranges_.size());
   }
   [[nodiscard]] int num_constraints() const override { return 1; }
-  [[nodiscard]] std::span<const double> lower() const override {
-    return lower_;
-  }
-  [[nodiscard]] std::span<const double> upper() const override {
-    return upper_;
+  [[nodiscard]] nlp::Range variable_range(int index) const override {
+    return ranges_[at(index)];
   }
   [[nodiscard]] const nlp::SparsityPattern& jac_g_pattern() const override {
     return jac_g_pattern_;
@@ -65,8 +62,8 @@ class SmallProblem : public nlp::Problem {
  protected:
   explicit SmallProblem(int num_variables)
       : x_(at(num_variables)),
-        lower_(at(num_variables), -std::numeric_limits<double>::infinity()),
-        upper_(at(num_variables), std::numeric_limits<double>::infinity()) {
+        ranges_(at(num_variables), {-std::numeric_limits<double>::infinity(),
+                                    std::numeric_limits<double>::infinity()}) {
     for (int i = 0; i < num_variables; ++i) {
       jac_g_pattern_.add(0, i);
       for (int j = 0; j <= i; ++j) {
@@ -116,7 +113,7 @@ class SmallProblem : public nlp::Problem {
     hess_lag(objective_factor, lambda[0], values);
   }
 
-  std::vector<double> lower_, upper_;
+  std::vector<nlp::Range> ranges_;
   nlp::SparsityPattern jac_g_pattern_, hess_lag_pattern_;
 };
 

@@ -112,7 +112,7 @@ TEST_P(LimitedCertificate, FailsOnAMultiplierOfALimitThatDoesNotHold) {
   ASSERT_GE(row, 0);
   LimitedTime problem = answer().problem().as_inequalities();
   // Towards the bound there is; the slack is of order one.
-  const bool below = std::isfinite(problem.constraint_lower()[at(row)]);
+  const bool below = std::isfinite(problem.constraint_range(row).lower);
   point.lambda[at(row)] = below ? -1e-3 : 1e-3;
 
   EXPECT_FALSE(passes("complementarity"));

@@ -148,7 +148,7 @@ Answer with_start_speed(const Scene& scene, double start_speed) {
     problem.set_end_angle(answer.phi);
     for (const StateComponent component : {X, Z}) {
       const int end = layout.state(layout.num_points(), component);
-      moved.fix(end, problem.lower()[at(end)]);
+      moved.fix(end, problem.variable_range(end).lower);
     }
     const SolverResult result = solve_with_ipopt(moved, answer.point, {});
     EXPECT_EQ(result.status, Status::Solved) << result.message;

@@ -23,8 +23,6 @@ class SlidingEnd final : public nlp::Problem {
  public:
   explicit SlidingEnd(RollingTime& problem)
       : problem_(problem),
-        lower_(problem.lower().begin(), problem.lower().end()),
-        upper_(problem.upper().begin(), problem.upper().end()),
         jac_(problem.jac_g_pattern()),
         hess_(problem.hess_lag_pattern()) {
     const VariableLayout& layout = problem.layout();
@@ -32,8 +30,6 @@ class SlidingEnd final : public nlp::Problem {
     z_end_ = layout.state(layout.num_points(), StateComponent::Z);
     beta_ = layout.beta(layout.num_points() - 1);
     for (const int end : {x_end_, z_end_}) {
-      lower_[at(end)] = -std::numeric_limits<double>::infinity();
-      upper_[at(end)] = std::numeric_limits<double>::infinity();
       const int row = problem.num_constraints() + (end == z_end_ ? 1 : 0);
       jac_.add(row, end);
       jac_.add(row, beta_);
@@ -47,11 +43,12 @@ class SlidingEnd final : public nlp::Problem {
   [[nodiscard]] int num_constraints() const override {
     return problem_.num_constraints() + 2;
   }
-  [[nodiscard]] std::span<const double> lower() const override {
-    return lower_;
-  }
-  [[nodiscard]] std::span<const double> upper() const override {
-    return upper_;
+  [[nodiscard]] nlp::Range variable_range(int index) const override {
+    if (index != x_end_ && index != z_end_) {
+      return problem_.variable_range(index);
+    }
+    return {-std::numeric_limits<double>::infinity(),
+            std::numeric_limits<double>::infinity()};
   }
   [[nodiscard]] const nlp::SparsityPattern& jac_g_pattern() const override {
     return jac_;
@@ -113,7 +110,7 @@ class SlidingEnd final : public nlp::Problem {
   }
 
   RollingTime& problem_;
-  std::vector<double> lower_, upper_, x_;
+  std::vector<double> x_;
   nlp::SparsityPattern jac_, hess_;
   int x_end_, z_end_, beta_;
 };

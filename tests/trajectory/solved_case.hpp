@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -61,14 +62,8 @@ class SolvedCase : public ::testing::Test {
 /// A problem with other values of its fixed variables.
 class MovedBounds final : public nlp::Problem {
  public:
-  explicit MovedBounds(RollingTime& problem)
-      : problem_(problem),
-        lower_(problem.lower().begin(), problem.lower().end()),
-        upper_(problem.upper().begin(), problem.upper().end()) {}
-  void fix(int variable, double value) {
-    lower_[static_cast<std::size_t>(variable)] = value;
-    upper_[static_cast<std::size_t>(variable)] = value;
-  }
+  explicit MovedBounds(RollingTime& problem) : problem_(problem) {}
+  void fix(int variable, double value) { fixed_[variable] = value; }
 
   [[nodiscard]] int num_variables() const override {
     return problem_.num_variables();
@@ -76,11 +71,10 @@ class MovedBounds final : public nlp::Problem {
   [[nodiscard]] int num_constraints() const override {
     return problem_.num_constraints();
   }
-  [[nodiscard]] std::span<const double> lower() const override {
-    return lower_;
-  }
-  [[nodiscard]] std::span<const double> upper() const override {
-    return upper_;
+  [[nodiscard]] nlp::Range variable_range(int index) const override {
+    const auto fixed = fixed_.find(index);
+    if (fixed == fixed_.end()) return problem_.variable_range(index);
+    return {fixed->second, fixed->second};
   }
   [[nodiscard]] const nlp::SparsityPattern& jac_g_pattern() const override {
     return problem_.jac_g_pattern();
@@ -116,7 +110,7 @@ class MovedBounds final : public nlp::Problem {
   }
 
   RollingTime& problem_;
-  std::vector<double> lower_, upper_;
+  std::map<int, double> fixed_;
 };
 
 }  // namespace brachisto::testing

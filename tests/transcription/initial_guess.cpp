@@ -79,9 +79,10 @@ TEST(Guesses, RunBetweenTheEndPointsAndAreEvaluable) {
       EXPECT_TRUE(problem.set_point(guess.x)) << problem.refusal();
       EXPECT_TRUE(guess.lambda.empty());
       for (int i = 0; i < problem.num_variables(); ++i) {
-        if (problem.lower()[at(i)] != problem.upper()[at(i)]) continue;
+        const nlp::Range range = problem.variable_range(i);
+        if (!range.single()) continue;
         // Shifts of points below 8 that are sums of four terms.
-        EXPECT_NEAR(guess.x[at(i)], problem.lower()[at(i)], ulps(4.0, 8.0))
+        EXPECT_NEAR(guess.x[at(i)], range.lower, ulps(4.0, 8.0))
             << problem.variable_name(i);
       }
     }
@@ -98,9 +99,9 @@ TEST(Guesses, TurnTheBodyByTheArcLengthOverTheRadius) {
   const PrimalDual cycloid = cycloid_guess(problem, arc);
   const PrimalDual straight = straight_guess(problem);
 
-  const double length =
-      std::hypot(problem.upper()[at(theta_end) - 2] - problem.upper()[0],
-                 problem.upper()[at(theta_end) - 1] - problem.upper()[1]);
+  const auto given = [&](int i) { return problem.variable_range(i).upper; };
+  const double length = std::hypot(given(theta_end - 2) - given(0),
+                                   given(theta_end - 1) - given(1));
   EXPECT_NEAR(cycloid.x[at(theta_end)],
               -0.6 + arc.arc_length(4.0) / scene.body.radius, ulps(4.0, 8.0));
   EXPECT_NEAR(straight.x[at(theta_end)], -0.6 + length / scene.body.radius,

@@ -61,8 +61,8 @@ TEST(LimitedTimeBounds, FixTheStartAndWhatContactsAsk) {
     std::set<int> fixed;
     const auto expect_fixed = [&](int index, double value) {
       fixed.insert(index);
-      EXPECT_EQ(problem.lower()[at(index)], problem.upper()[at(index)]);
-      EXPECT_NEAR(problem.lower()[at(index)], value, ulps(2.0, 4.0))
+      EXPECT_TRUE(problem.variable_range(index).single());
+      EXPECT_NEAR(problem.variable_range(index).lower, value, ulps(2.0, 4.0))
           << layout.variable_name(index);
     };
 
@@ -77,8 +77,7 @@ TEST(LimitedTimeBounds, FixTheStartAndWhatContactsAsk) {
     }
     for (int i = 0; i < problem.num_variables(); ++i) {
       if (fixed.contains(i)) continue;
-      EXPECT_EQ(problem.lower()[at(i)], -kInfinity);
-      EXPECT_EQ(problem.upper()[at(i)], kInfinity);
+      EXPECT_FALSE(problem.variable_range(i).bounded());
     }
   }
 }
@@ -103,25 +102,24 @@ TEST(LimitedTimeHeld, AreEquationsAndTheOthersAreNotAskedFor) {
           e == i || (!limit.bounds_control() && last && e + 1 == i);
       const double bound =
           std::isfinite(limit.upper) ? limit.upper : limit.lower;
-      const auto row = at(layout.limit(c, i));
+      const nlp::Range range = problem.constraint_range(layout.limit(c, i));
 
       EXPECT_EQ(problem.held_at(c, i) != Held::No, expected) << c << " " << i;
-      EXPECT_EQ(problem.constraint_lower()[row], expected ? bound : -kInfinity);
-      EXPECT_EQ(problem.constraint_upper()[row], expected ? bound : kInfinity);
+      EXPECT_EQ(range.lower, expected ? bound : -kInfinity);
+      EXPECT_EQ(range.upper, expected ? bound : kInfinity);
     }
   }
   ASSERT_EQ(layout.num_start_rows(), 3);
   for (int i = 0; i < 3; ++i) {
-    const auto row = at(layout.start_row(i));
-    EXPECT_EQ(problem.constraint_lower()[row],
-              i == 0 ? limits[0].lower : -kInfinity);
-    EXPECT_EQ(problem.constraint_upper()[row],
-              i == 0 ? limits[0].lower : kInfinity);
+    const nlp::Range range = problem.constraint_range(layout.start_row(i));
+    EXPECT_EQ(range.lower, i == 0 ? limits[0].lower : -kInfinity);
+    EXPECT_EQ(range.upper, i == 0 ? limits[0].lower : kInfinity);
   }
   const LimitedTime all = problem.as_inequalities();
   EXPECT_FALSE(all.held());
-  EXPECT_EQ(all.constraint_lower()[at(layout.limit(0, 2))], limits[2].lower);
-  EXPECT_EQ(all.constraint_upper()[at(layout.limit(0, 2))], limits[2].upper);
+  const nlp::Range range = all.constraint_range(layout.limit(0, 2));
+  EXPECT_EQ(range.lower, limits[2].lower);
+  EXPECT_EQ(range.upper, limits[2].upper);
 }
 
 /// A limit of a place that is given would say of constants what they are.
@@ -133,9 +131,9 @@ TEST(LimitedTimeHeld, LeavesOutThePlaceOfAGivenEnd) {
   const int last = layout.num_points() - 1;
 
   for (int i = 0; i < layout.num_limits(); ++i) {
-    const bool bounded =
-        std::isfinite(problem.constraint_lower()[at(layout.limit(last, i))]);
-    EXPECT_EQ(bounded, limits[at(i)].bounds_control()) << i;
+    EXPECT_EQ(problem.constraint_range(layout.limit(last, i)).bounded(),
+              limits[at(i)].bounds_control())
+        << i;
   }
 }
 

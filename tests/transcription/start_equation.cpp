@@ -123,8 +123,11 @@ TEST_P(StartEquationOf, MovesTheStartAtTheRatesItTells) {
     constexpr double kStep = 1e-4;
     const auto values = [&](double at) {
       start.set_parameter(at);
-      return std::vector<double>(problem.lower().begin(),
-                                 problem.lower().end());
+      std::vector<double> out;
+      for (int i = 0; i < problem.num_variables(); ++i) {
+        out.push_back(problem.variable_range(i).lower);
+      }
+      return out;
     };
     const std::vector<double> after = values(alpha + kStep);
     const std::vector<double> before = values(alpha - kStep);
@@ -136,7 +139,7 @@ TEST_P(StartEquationOf, MovesTheStartAtTheRatesItTells) {
     }
 
     for (std::size_t i = 0; i < rates.size(); ++i) {
-      if (problem.lower()[i] != problem.upper()[i]) continue;
+      if (!problem.variable_range(static_cast<int>(i)).single()) continue;
       EXPECT_NEAR((after[i] - before[i]) / (2.0 * kStep), rates[i],
                   kStep * kStep)
           << problem.variable_name(static_cast<int>(i)) << " at " << alpha;

@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <initializer_list>
 #include <span>
 #include <string>
@@ -203,28 +204,18 @@ class Problem {
   [[nodiscard]] virtual int num_variables() const = 0;
   [[nodiscard]] virtual int num_constraints() const = 0;
 
-  /// Bounds of the variables; num_variables() values each, ±infinity if free.
-  [[nodiscard]] virtual std::span<const double> lower() const = 0;
-  [[nodiscard]] virtual std::span<const double> upper() const = 0;
-  /// Bounds of the constraints; num_constraints() values each, ±infinity where
-  /// there is none. Both empty: all zero.
-  [[nodiscard]] virtual std::span<const double> constraint_lower() const {
+  [[nodiscard]] virtual Range variable_range(int index) const = 0;
+  [[nodiscard]] virtual Range constraint_range(int /*index*/) const {
     return {};
   }
-  [[nodiscard]] virtual std::span<const double> constraint_upper() const {
-    return {};
-  }
-  [[nodiscard]] Range variable_range(int index) const;
-  [[nodiscard]] Range constraint_range(int index) const;
   /// Whether a variable that is not fixed, or a constraint that is no equation,
   /// has a bound.
   [[nodiscard]] bool has_inequalities() const;
 
-  /// How much of the path each variable, then each constraint stands for, such
-  /// as its weight in a quadrature: multipliers and stationarity divided by it
-  /// are functions of the path, the same on every mesh. All positive; empty:
-  /// ones.
-  [[nodiscard]] virtual std::span<const double> weights() const { return {}; }
+  /// How much of the path a variable stands for, or behind those a constraint,
+  /// such as its weight in a quadrature: multipliers and stationarity divided
+  /// by it are functions of the path, the same on every mesh. Positive.
+  [[nodiscard]] virtual double weight(int /*index*/) const { return 1.0; }
 
   [[nodiscard]] virtual const SparsityPattern& jac_g_pattern() const = 0;
   /// Lower triangle of the Hessian of the Lagrangian. Empty if there is none,
@@ -293,7 +284,7 @@ class Problem {
 };
 
 /// Residual of the Karush–Kuhn–Tucker conditions. Stationarity and multipliers
-/// are divided by Problem::weights(), so that one tolerance means the same on
+/// are divided by Problem::weight(), so that one tolerance means the same on
 /// every mesh; distances from bounds are in the units of the problem.
 struct KktResidual {
   /// max |∂(f + λᵀg)/∂x_i − z_l,i + z_u,i| over variables that are not fixed
@@ -319,15 +310,13 @@ struct KktResidual {
 
 /// Residual at a point. The problem is moved to it.
 ///
-/// \param weights  in place of the problem's, n + m; empty if all are 1
+/// \param weight  in place of the problem's
 /// \throws std::domain_error if the problem is not evaluable there
+[[nodiscard]] KktResidual kkt_residual(
+    Problem& problem, const PrimalDual& point,
+    const std::function<double(int)>& weight);
 [[nodiscard]] KktResidual kkt_residual(Problem& problem,
-                                       const PrimalDual& point,
-                                       std::span<const double> weights);
-[[nodiscard]] inline KktResidual kkt_residual(Problem& problem,
-                                              const PrimalDual& point) {
-  return kkt_residual(problem, point, problem.weights());
-}
+                                       const PrimalDual& point);
 
 /// ∂(f + λᵀg)/∂x at the point the problem was moved to, summed in long double.
 [[nodiscard]] std::vector<long double> lagrangian_gradient(

@@ -104,6 +104,12 @@ class LeastCost final : public Program {
   [[nodiscard]] std::vector<PathPlace<kStates>> path(
       const PrimalDual& point) const requires(kControls == 1);
 
+  /// Within the box, unless it is given.
+  [[nodiscard]] nlp::Range variable_range(int index) const override;
+  [[nodiscard]] nlp::Range constraint_range(int index) const override;
+  [[nodiscard]] double weight(int index) const override {
+    return element_weight(layout(), collocation_.scheme(), mesh(), index);
+  }
   /// None where the ends of the path are coupled by a condition.
   [[nodiscard]] nlp::ChainStructure chain_structure() const override;
   /// "v[3]", "U"; of a control "h u[3]", h being the length of an element of
@@ -150,6 +156,7 @@ class LeastCost final : public Program {
 
   Collocation<Description> collocation_;
   EndFunctions<Description> ends_;
+  Box<kStates, kControls> box_;
 };
 
 template <ControlProblem Description>
@@ -162,22 +169,9 @@ LeastCost<Description>::LeastCost(Description description, const Mesh& mesh,
               "collocation point"),
       collocation_(description, radau_scheme(mesh.degree),
                    layout_of(description, mesh)),
-      ends_(collocation_.description(), layout()) {
-  weigh(element_weights(layout(), collocation_.scheme(), mesh,
-                        num_constraints()));
+      ends_(collocation_.description(), layout()),
+      box_(box) {
   const int last = layout().num_points();
-  for (int node = 0; node <= last; ++node) {
-    for (std::size_t s = 0; s < kStates; ++s) {
-      bound(layout().state(node, static_cast<int>(s)), box.states[s].lower,
-            box.states[s].upper);
-    }
-    if (node == last) break;
-    const double h = mesh.length(node / mesh.degree);
-    for (std::size_t k = 0; k < kControls; ++k) {
-      bound(layout().control(node, static_cast<int>(k)),
-            h * box.controls[k].lower, h * box.controls[k].upper);
-    }
-  }
   for (std::size_t s = 0; s < kStates; ++s) {
     const int state = static_cast<int>(s);
     for (const auto& end : {ends.start[s], ends.end[s]}) {
@@ -195,8 +189,6 @@ LeastCost<Description>::LeastCost(Description description, const Mesh& mesh,
       throw std::invalid_argument("the duration is not positive and finite");
     }
     fix(layout().last(), *ends.duration);
-  } else {
-    bound(layout().last(), box.duration.lower, box.duration.upper);
   }
   for (int i = 0; i < layout().num_limits(); ++i) {
     const Bounds bounds = description.bounds(at(i));
@@ -205,17 +197,36 @@ LeastCost<Description>::LeastCost(Description description, const Mesh& mesh,
                                   std::string(description.limit_name(at(i))) +
                                   " leave nothing between them");
     }
-    for (int c = 0; c < last; ++c) {
-      bound_row(layout().limit(c, i), bounds.lower, bounds.upper);
-    }
-  }
-  if constexpr (EndFunctions<Description>::kConditions > 0) {
-    for (int i = 0; i < EndFunctions<Description>::kConditions; ++i) {
-      const Bounds bounds = description.end_bounds(at(i));
-      bound_row(ends_.row(i), bounds.lower, bounds.upper);
-    }
   }
   build_patterns();
+}
+
+template <ControlProblem Description>
+nlp::Range LeastCost<Description>::variable_range(int index) const {
+  const nlp::Range given = Program::variable_range(index);
+  if (given.single()) return given;
+  const auto within = [](const Bounds& bounds, double unit = 1.0) {
+    return nlp::Range{unit * bounds.lower, unit * bounds.upper};
+  };
+  if (index == layout().last()) return within(box_.duration);
+  const std::size_t place = at(index % layout().stride());
+  if (place < kStates) return within(box_.states[place]);
+  return within(box_.controls[place - kStates],
+                mesh().length(layout().node_of(index) / mesh().degree));
+}
+
+template <ControlProblem Description>
+nlp::Range LeastCost<Description>::constraint_range(int index) const {
+  const auto range = [](const Bounds& bounds) {
+    return nlp::Range{bounds.lower, bounds.upper};
+  };
+  if (index >= layout().end_of_points()) {
+    if constexpr (EndFunctions<Description>::kConditions > 0) {
+      return range(description().end_bounds(at(index - ends_.row(0))));
+    }
+  }
+  const int limit = layout().limit_of(index);
+  return limit < 0 ? nlp::Range{} : range(description().bounds(at(limit)));
 }
 
 template <ControlProblem Description>

@@ -191,6 +191,11 @@ class Layout {
   [[nodiscard]] int point_of(int constraint) const {
     return constraint / num_rows_;
   }
+  /// Which of the limits there it is; negative: a defect.
+  /// \pre constraint < end_of_points()
+  [[nodiscard]] int limit_of(int constraint) const {
+    return constraint % num_rows_ - num_states_;
+  }
 
  protected:
   [[nodiscard]] bool has_controls() const { return num_controls_ > 0; }

@@ -104,20 +104,11 @@ class Program : public nlp::Problem {
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }
 
   [[nodiscard]] int num_variables() const final {
-    return static_cast<int>(lower_.size());
+    return static_cast<int>(x_.size());
   }
   [[nodiscard]] int num_constraints() const final { return num_constraints_; }
-  [[nodiscard]] std::span<const double> lower() const final { return lower_; }
-  [[nodiscard]] std::span<const double> upper() const final { return upper_; }
-  [[nodiscard]] std::span<const double> constraint_lower() const final {
-    return row_lower_;
-  }
-  [[nodiscard]] std::span<const double> constraint_upper() const final {
-    return row_upper_;
-  }
-  [[nodiscard]] std::span<const double> weights() const final {
-    return weights_;
-  }
+  /// Free, unless it has been fixed.
+  [[nodiscard]] nlp::Range variable_range(int index) const override;
   [[nodiscard]] const nlp::SparsityPattern& jac_g_pattern() const final {
     return patterns_->jac_g;
   }
@@ -131,12 +122,7 @@ class Program : public nlp::Problem {
   Program(Mesh mesh, int num_variables, int num_constraints, const char* place);
 
   void fix(int variable, double value);
-  void bound(int variable, double lower, double upper);
   void release(int variable);
-  /// A constraint that is not asked to be 0.
-  void bound_row(int row, double lower, double upper);
-  /// Of variables, then constraints.
-  void weigh(std::vector<double> weights) { weights_ = std::move(weights); }
   void forget_point();
   /// As many elements of other lengths. The current point is forgotten.
   void change_lengths(Mesh mesh);
@@ -170,9 +156,11 @@ class Program : public nlp::Problem {
 
   Mesh mesh_;
   int num_constraints_;
-  std::vector<double> lower_, upper_;
-  std::vector<double> row_lower_, row_upper_;  ///< empty: all 0
-  std::vector<double> weights_;                ///< empty: ones
+  struct Fixed {
+    int variable;
+    double value;
+  };
+  std::vector<Fixed> fixed_;  ///< few, in ascending order
   struct Patterns {
     nlp::SparsityPattern jac_g, hess_lag;
   };
@@ -208,10 +196,11 @@ class Program : public nlp::Problem {
 /// both are with √h between them.
 [[nodiscard]] double root_of_length(const Mesh& mesh, int element);
 
-/// Of variables, then constraints, where points are nodes: h b of a point's
-/// states and limits, b of its control and its defects, 1 of others.
-[[nodiscard]] std::vector<double> element_weights(
-    const Layout& layout, const CollocationScheme& scheme, const Mesh& mesh,
-    int num_constraints);
+/// Problem::weight() of a variable, or behind those of a constraint, where
+/// points are nodes: h b of a point's states and limits, b of its control and
+/// its defects, 1 of others.
+[[nodiscard]] double element_weight(const Layout& layout,
+                                    const CollocationScheme& scheme,
+                                    const Mesh& mesh, int index);
 
 }  // namespace brachisto::ocp

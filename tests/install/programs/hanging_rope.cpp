@@ -26,15 +26,11 @@ class HangingRope final : public nlp::Problem {
   HangingRope(int links, double length, double ground)
       : links_(links), l_(length / links) {
     const auto nodes = static_cast<std::size_t>(links) + 1;
-    lower_.assign(2 * nodes, -kNone);
-    upper_.assign(2 * nodes, kNone);
-    for (std::size_t i = 0; i < nodes; ++i) upper_[2 * i + 1] = ground;
-    lower_[0] = upper_[0] = 0.0;  // the nails, one metre apart
-    lower_[1] = upper_[1] = 0.0;
-    lower_[2 * nodes - 2] = upper_[2 * nodes - 2] = 1.0;
-    lower_[2 * nodes - 1] = upper_[2 * nodes - 1] = 0.0;
-    g_lower_.assign(nodes - 1, 0.25 * l_ * l_);
-    g_upper_.assign(nodes - 1, l_ * l_);
+    places_.assign(2 * nodes, {-kNone, kNone});
+    for (std::size_t i = 0; i < nodes; ++i) places_[2 * i + 1].upper = ground;
+    places_[0] = places_[1] = {0.0, 0.0};  // the nails, one metre apart
+    places_[2 * nodes - 2] = {1.0, 1.0};
+    places_[2 * nodes - 1] = {0.0, 0.0};
     for (int e = 0; e < links; ++e) {
       for (int j = 0; j < 4; ++j) jac_.add(e, 2 * e + j);
     }
@@ -48,10 +44,12 @@ class HangingRope final : public nlp::Problem {
 
   int num_variables() const override { return 2 * (links_ + 1); }
   int num_constraints() const override { return links_; }
-  std::span<const double> lower() const override { return lower_; }
-  std::span<const double> upper() const override { return upper_; }
-  std::span<const double> constraint_lower() const override { return g_lower_; }
-  std::span<const double> constraint_upper() const override { return g_upper_; }
+  nlp::Range variable_range(int index) const override {
+    return places_[static_cast<std::size_t>(index)];
+  }
+  nlp::Range constraint_range(int) const override {
+    return {0.25 * l_ * l_, l_ * l_};
+  }
   const nlp::SparsityPattern& jac_g_pattern() const override { return jac_; }
   const nlp::SparsityPattern& hess_lag_pattern() const override {
     return hess_;
@@ -128,7 +126,8 @@ class HangingRope final : public nlp::Problem {
 
   int links_;
   double l_;
-  std::vector<double> x_, lower_, upper_, g_lower_, g_upper_;
+  std::vector<double> x_;
+  std::vector<nlp::Range> places_;
   nlp::SparsityPattern jac_, hess_;
 };
 

@@ -65,7 +65,10 @@ install_packages() {
     --no-install-recommends "${missing[@]}" >/dev/null
 }
 
+# build TARGET [OPTION …]
 build() {
+  local target=$1
+  shift
   say "building (preset release, in build/release)"
   # Files compiled several at a time take half the time when all are.
   cmake --preset release -DCMAKE_UNITY_BUILD=ON "$@" >build-configure.log 2>&1 || {
@@ -73,7 +76,7 @@ build() {
     exit 1
   }
   rm -f build-configure.log
-  cmake --build --preset release
+  cmake --build --preset release --target "$target"
 }
 
 case "${1:-}" in
@@ -82,7 +85,7 @@ case "${1:-}" in
     ;;
   demo)
     install_packages
-    build -DBRACHISTO_BUILD_TESTS=OFF
+    build brachisto_app -DBRACHISTO_BUILD_TESTS=OFF
     problem=problems/paper/fig04_reference_case.yaml
     say "brachisto solve $problem"
     build/release/src/app/brachisto solve "$problem"
@@ -95,7 +98,7 @@ case "${1:-}" in
     export CCACHE_BASEDIR="${CCACHE_BASEDIR:-$PWD}" CCACHE_NOHASHDIR=1 CCACHE_DEPEND=1 \
       CCACHE_SLOPPINESS=locale
     # The Python whose packages these are, whatever else is in the PATH.
-    build -DBRACHISTO_BUILD_TESTS=ON -DBRACHISTO_BUILD_PYTHON=ON \
+    build all -DBRACHISTO_BUILD_TESTS=ON -DBRACHISTO_BUILD_PYTHON=ON \
       -DPython3_EXECUTABLE=/usr/bin/python3
     say "testing"
     ctest --preset release
@@ -103,14 +106,14 @@ case "${1:-}" in
   page)
     packages+=("${page_packages[@]}")
     install_packages
-    build -DBRACHISTO_BUILD_TESTS=ON
+    build all -DBRACHISTO_BUILD_TESTS=ON
     ctest --preset release -R '^page$'
     ;;
   bench)
     packages+=("${bench_packages[@]}")
     install_packages
-    build -DBRACHISTO_BUILD_TESTS=OFF -DBRACHISTO_BUILD_BENCHMARKS=ON
-    cmake --build --preset release --target run_benchmarks
+    build run_benchmarks -DBRACHISTO_BUILD_TESTS=OFF \
+      -DBRACHISTO_BUILD_BENCHMARKS=ON
     ;;
   packages)
     packages+=("${python_packages[@]}" dpkg-dev file)

@@ -12,8 +12,10 @@ namespace brachisto {
 
 /// The factorisation of a link is taken if the Frobenius norm of its
 /// multipliers is at most this: rounding errors are then magnified by less than
-/// its square, and one step of refinement makes up for them.
-inline constexpr double kLargestNorm = 1e3;
+/// its square, 1e8, and one step of refinement leaves (1e8 ε)² = 5e-16 of them.
+/// A body that sets out from rest needs as much: there the Hessian by slopes
+/// goes with the speed.
+inline constexpr double kLargestNorm = 1e4;
 
 /// Whether a lane has its bit.
 [[nodiscard]] inline bool bit(unsigned bits, int i) {

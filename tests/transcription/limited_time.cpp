@@ -82,6 +82,70 @@ TEST(LimitedTimeBounds, FixTheStartAndWhatContactsAsk) {
   }
 }
 
+/// Weights b of a rule sum up to 1, lengths h of elements as well.
+TEST(LimitedTimeWeights, AreThoseOfTheQuadrature) {
+  const Scene scene = off_centred_scene();
+  const auto limits = limits_of_all_kinds(scene.body);
+  const Mesh mesh{3, {0.0, 0.1, 0.45, 1.0}};
+  LimitedEnds ends;
+  ends.free_contacts = true;
+  const LimitedTime problem(scene, limits, mesh, ends);
+  const VariableLayout& layout = problem.layout();
+  const int n = problem.num_variables();
+  const auto sum = [&](auto index_at) {
+    double out = 0.0;
+    for (int c = 0; c < layout.num_points(); ++c) {
+      out += problem.weight(index_at(c));
+    }
+    return out;
+  };
+  // Of nine terms below 1.
+  const double rounding = ulps(4.0, 9.0);
+
+  for (const StateComponent of : {X, Z, Theta, W, Beta}) {
+    EXPECT_NEAR(sum([&](int c) { return layout.state(c + 1, of); }), 1.0,
+                rounding);
+    EXPECT_NEAR(sum([&](int c) { return n + layout.defect(c, of); }), 3.0,
+                rounding);
+    EXPECT_EQ(problem.weight(layout.state(0, of)),
+              problem.weight(layout.state(1, of)));
+  }
+  EXPECT_NEAR(sum([&](int c) { return layout.control(c); }), 3.0, rounding);
+  for (int i = 0; i < layout.num_limits(); ++i) {
+    EXPECT_NEAR(sum([&](int c) { return n + layout.limit(c, i); }), 1.0,
+                rounding);
+  }
+  EXPECT_EQ(problem.weight(layout.rolling_time()), 1.0);
+  for (int i = layout.end_of_points(); i < problem.num_constraints(); ++i) {
+    EXPECT_EQ(problem.weight(n + i), 1.0);
+  }
+}
+
+TEST(LimitedTimeBounds, KeepSlopesThatAreNotFixed) {
+  const Scene scene = off_centred_scene();
+  LimitedEnds ends;
+  ends.start = 0.4;
+  ends.start_slope_fixed = true;
+  LimitedTime problem(scene, {}, uniform_mesh(2, 3), ends);
+  problem.bound_slopes(1.5);
+  const VariableLayout& layout = problem.layout();
+
+  EXPECT_EQ(problem.variable_range(layout.state(0, Beta)).lower, 0.4);
+  EXPECT_TRUE(problem.variable_range(layout.state(0, Beta)).single());
+  for (int node = 1; node < layout.num_nodes(); ++node) {
+    const nlp::Range range = problem.variable_range(layout.state(node, Beta));
+    EXPECT_EQ(range.lower, -1.5) << node;
+    EXPECT_EQ(range.upper, 1.5) << node;
+    if (node == layout.num_nodes() - 1) continue;  // its place is given
+    for (const int other :
+         {layout.state(node, X), layout.state(node, W), layout.control(node)}) {
+      EXPECT_FALSE(problem.variable_range(other).bounded())
+          << layout.variable_name(other);
+    }
+  }
+  EXPECT_FALSE(problem.variable_range(layout.rolling_time()).bounded());
+}
+
 TEST(LimitedTimeHeld, AreEquationsAndTheOthersAreNotAskedFor) {
   const Scene scene = off_centred_scene();
   const auto limits = limits_of_all_kinds(scene.body);

@@ -204,7 +204,9 @@ class Problem {
   [[nodiscard]] virtual int num_variables() const = 0;
   [[nodiscard]] virtual int num_constraints() const = 0;
 
+  /// Asked again and again, not kept by those who ask.
   [[nodiscard]] virtual Range variable_range(int index) const = 0;
+  /// By default an equation.
   [[nodiscard]] virtual Range constraint_range(int /*index*/) const {
     return {};
   }
@@ -310,7 +312,7 @@ struct KktResidual {
 
 /// Residual at a point. The problem is moved to it.
 ///
-/// \param weight  in place of the problem's
+/// \param weight  in place of the problem's; a function, not an empty one
 /// \throws std::domain_error if the problem is not evaluable there
 [[nodiscard]] KktResidual kkt_residual(
     Problem& problem, const PrimalDual& point,

@@ -104,7 +104,8 @@ class LeastCost final : public Program {
   [[nodiscard]] std::vector<PathPlace<kStates>> path(
       const PrimalDual& point) const requires(kControls == 1);
 
-  /// Within the box, unless it is given.
+  /// Within the box, unless it is given. Bounds of limits are asked of the
+  /// description each time.
   [[nodiscard]] nlp::Range variable_range(int index) const override;
   [[nodiscard]] nlp::Range constraint_range(int index) const override;
   [[nodiscard]] double weight(int index) const override {

@@ -97,8 +97,8 @@ void Entries::each(int begin, int end, PutOne&& put_one) {
 namespace brachisto::ocp {
 
 /// A program whose derivatives come from stencils, element by element. An
-/// instance says what f, g and the stencils are; bounds, patterns, the current
-/// point and refusals are here.
+/// instance says what f, g and the stencils are, and what is bounded; fixed
+/// variables, patterns, the current point and refusals are here.
 class Program : public nlp::Problem {
  public:
   [[nodiscard]] const Mesh& mesh() const { return mesh_; }

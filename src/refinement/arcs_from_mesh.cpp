@@ -100,7 +100,7 @@ LimitedRefinement refine_from_mesh(const LimitedCurve& mesh,
   if (path) answer = refined(*std::move(path), wanted, search, protocol);
   if (!answer && !wanted.fixed() && !protocol.stopped() &&
       protocol.status != Status::NoFastestTrack) {
-    protocol.most_work = kMostSearchWork;
+    protocol.most_work = most_search_work(options);
     without = without_its_arcs(mesh, wanted, options.ipopt, search, protocol);
     protocol.most_work = std::numeric_limits<double>::infinity();
     if (without.path) {

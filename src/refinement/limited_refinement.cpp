@@ -46,10 +46,11 @@ class LimitedSolve {
         wanted_(wanted),
         limits_(inequalities(scene.body, scene.limits)),
         options_(options),
+        most_work_(most_search_work(options)),
         protocol_(options) {}
 
   LimitedRefinement run() {
-    protocol_.most_work = kSearchAsAsked * kMostSearchWork;
+    protocol_.most_work = kSearchAsAsked * most_work_;
     refine(ways_->find());
     if (!answer_ && !ways_->ended()) refine(ways_->from_mesh());
     if (answer_ || protocol_.status == Status::NoFastestTrack ||
@@ -60,7 +61,9 @@ class LimitedSolve {
       answer_ = answer_without_arcs(*ways_->mesh(), protocol_);
     } else {
       if (protocol_.worked_enough()) {
-        protocol_.tries("until its share of work was used up");
+        protocol_.tries(
+            "until its share of the work that solver.limits.iterations allows "
+            "was used up");
         // That of an empty set takes all of it; the proof takes none.
         if (protocol_.status != Status::NoAdmissiblePath) {
           ways_->tightening().is_shut();
@@ -69,7 +72,7 @@ class LimitedSolve {
       if (protocol_.status != Status::NoAdmissiblePath) come_from_random();
     }
     if (!answer_) {
-      protocol_.most_work = protocol_.work + kSearchLooser * kMostSearchWork;
+      protocol_.most_work = protocol_.work + kSearchLooser * most_work_;
       come_from_looser();
     }
     return finished();
@@ -78,8 +81,9 @@ class LimitedSolve {
     come_from_random();
     return finished();
   }
-  LimitedRefinement run_beside(const FittedPath& neighbour, double most_work) {
-    protocol_.most_work = most_work;
+  LimitedRefinement run_beside(const FittedPath& neighbour,
+                               std::optional<double> most_work) {
+    protocol_.most_work = most_work.value_or(most_work_);
     const Scene from = neighbour.curve.problem().scene();
     const LimitRelaxation way(neighbour.curve.problem().limits(), limits_);
     const auto stage_at = [&](double share) {
@@ -104,7 +108,8 @@ class LimitedSolve {
     }
     const double work = protocol_.work;
     if (protocol_.worked_enough()) {
-      protocol_.tries("until all the work of a search was used up");
+      protocol_.tries(
+          "until the work that solver.limits.iterations allows was used up");
     }
     std::vector<std::string> tried = std::move(protocol_.tried);
     return {std::move(protocol_).finished(),
@@ -134,17 +139,15 @@ class LimitedSolve {
     // Looser limits need iterations too.
     const PassProtocol::Share part(protocol_, 1.0 / 3.0);
     // An empty set takes no more than the starts.
-    protocol_.most_work = protocol_.work + kSearchCold * kMostSearchWork;
+    protocol_.most_work = protocol_.work + kSearchCold * most_work_;
     const std::vector<LimitedCurve> found =
         cold_paths(scene_, *free_, phi_, options_.ipopt, kStarts,
-                   kSearchCold / kStarts * kMostSearchWork, protocol_);
-    protocol_.most_work = protocol_.work + kSearchFromCold * kMostSearchWork;
+                   kSearchCold / kStarts * most_work_, protocol_);
+    protocol_.most_work = protocol_.work + kSearchFromCold * most_work_;
     for (const LimitedCurve& curve : found) {
       if (stopped()) break;
-      const auto path = path_under(0.0, [&](Tightening& tightening) {
-        tightening.take_tight(curve);
-        return true;
-      });
+      const auto path = path_under(
+          0.0, [&](LimitedWays& ways) { return ways.from_tight(curve); });
       if (path) take(*path);
       if (!answer_) continue;
       from_random_ = true;
@@ -172,33 +175,37 @@ class LimitedSolve {
 
   // ---- From limits that ask for less, each step an answer to them.
 
+  /// Of what is left, to find a path under some of them, or to follow it.
+  static constexpr double kOfALeap = 0.15;
+
   void come_from_looser() {
     protocol_.tries("from looser limits");
-    double share = 0.25;  // of the work, for each of them
-    for (const double by : {0.05, 0.2, 0.6, 1.0}) {
-      auto path = path_under(by, &Tightening::tighten, share);
-      share /= 1.0 - share;
+    // The loosest first: what has a path mostly takes little to find one, what
+    // has none takes all it is given.
+    for (const double by : {1.0, 0.6, 0.2, 0.05}) {
+      auto path = path_under(by, &LimitedWays::find, kOfALeap);
       if (path) return tighten(*std::move(path));
       if (stopped()) return;
     }
   }
 
-  /// With the iterations that are left.
-  /// \param tighten  from some start
+  /// With a share of the work and the iterations that are left.
+  /// \param find  by some of the ways
   [[nodiscard]] std::optional<LoosenedPath> path_under(
-      double by, const std::function<bool(Tightening&)>& tighten,
+      double by,
+      const std::function<std::optional<FittedPath>(LimitedWays&)>& find,
       double share = 0.5) {
     const PhaseTimer timer(Phase::Start);
+    const PassProtocol::Share part(protocol_, share);
     MeshOptions options = options_;
     options.ipopt = protocol_.left(options.ipopt);
     if (options.ipopt.max_iterations <= 0) return std::nullopt;
     const Scene looser = loosened(scene_, by);
     PassProtocol protocol(options);
-    protocol.most_work = share * (protocol_.most_work - protocol_.work);
+    protocol.most_work = protocol_.most_work - protocol_.work;
     LimitedWays ways(looser, wanted_, *free_, phi_, options, protocol);
     if (by > 0.0 && ways.tightening().is_shut()) return std::nullopt;
-    std::optional<FittedPath> path;
-    if (tighten(ways.tightening())) path = ways.from_tight();
+    std::optional<FittedPath> path = find(ways);
     protocol_.work += protocol.work;
     RefinementProtocol done = std::move(protocol).finished();
     std::ranges::move(done.meshes, std::back_inserter(protocol_.meshes));
@@ -210,23 +217,30 @@ class LimitedSolve {
 
   /// To the limits of the scene, or else the tightest are kept, with the reason
   /// of the first attempt. Where arcs cannot be followed further the program is
-  /// solved from there, under those limits or others half-way to them, until
-  /// what is left of the way is nothing that anyone would ask for.
+  /// solved from there, under limits half-way to those or nearer, until what is
+  /// left of the way is nothing that anyone would ask for.
   void tighten(LoosenedPath path) {
-    constexpr double kShortest = 0.1, kNothing = 1e-3;
+    constexpr double kLongest = 0.5, kShortest = 0.05;
+    constexpr double kNear = 0.02, kNothing = 1e-3;
     const Status status = protocol_.status;
     const std::string message = protocol_.message;
     loosened_.push_back(std::move(path));
     follow_tighter();
-    for (double leap = 1.0; leap > kShortest && !stopped();) {
+    for (double leap = kLongest; leap > kShortest && !stopped();) {
       const LoosenedPath reached = loosened_.back();
       if (reached.by == 0.0) take(reached);
       if (reached.by < kNothing || status == Status::NoSmoothContact) break;
-      const double next = reached.by * (1.0 - leap);
-      auto there = path_under(next, [&](Tightening& tightening) {
-        return tightening.tighten_from(reached.path.curve);
-      });
-      if (!there && next > 0.0) there = path_under(next, &Tightening::tighten);
+      const double closer = reached.by * (1.0 - leap);
+      const double next = leap == kLongest && closer < kNear ? 0.0 : closer;
+      auto there = path_under(
+          next,
+          [&](LimitedWays& ways) {
+            return ways.from_beside(reached.path.curve);
+          },
+          kOfALeap);
+      if (!there && next > 0.0) {
+        there = path_under(next, &LimitedWays::find, kOfALeap);
+      }
       if (there) {
         loosened_.push_back(*std::move(there));
         follow_tighter();
@@ -246,6 +260,7 @@ class LimitedSolve {
   void follow_tighter() {
     const LoosenedPath from = loosened_.back();
     if (!from.knows_arcs()) return;
+    const PassProtocol::Share part(protocol_, kOfALeap);
     const auto left = [&](double share) { return from.by * (1.0 - share); };
     const auto stage_at = [&](double share) {
       const Scene scene = loosened(scene_, left(share));
@@ -262,6 +277,7 @@ class LimitedSolve {
   Discretisation wanted_;
   std::vector<PathInequality> limits_;
   MeshOptions options_;
+  double most_work_;  ///< most_search_work()
   PassProtocol protocol_;
   ArcSearch arcs_{protocol_, options_};
   const ExtremalCurve* free_ = nullptr;  ///< where it starts from
@@ -290,7 +306,8 @@ LimitedRefinement refine_limited_cold(const Scene& scene,
 
 std::optional<LimitedRefinement> refine_limited_beside(
     const Scene& scene, const Discretisation& wanted,
-    const FittedPath& neighbour, MeshOptions options, double most_work) {
+    const FittedPath& neighbour, MeshOptions options,
+    std::optional<double> most_work) {
   if (!bounds_differ_alone(neighbour.curve.problem().limits(),
                            inequalities(scene.body, scene.limits))) {
     return std::nullopt;

@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,9 +17,13 @@
 
 namespace brachisto {
 
-/// What searches for one answer are measured by, in steps of solvers times the
-/// equations that each of them solves.
-inline constexpr double kMostSearchWork = 1.7e7;
+/// What searches for one answer may take, in steps of solvers times the
+/// equations that each of them solves: more where more iterations are allowed
+/// than by default, but never less.
+[[nodiscard]] inline double most_search_work(const MeshOptions& options) {
+  constexpr double kByDefault = 1.7e7, kIterations = Limits{}.iterations;
+  return kByDefault * std::max(1.0, options.ipopt.max_iterations / kIterations);
+}
 /// The shares of it, each from where its way begins: under the limits asked
 /// for, from what the free path leads to; for random starts, and for what they
 /// lead to; under looser limits.
@@ -41,7 +46,7 @@ struct LimitedRefinement : RefinementProtocol {
   std::optional<BlockingLimit> blocking;  ///< if limits were not kept
   /// Without an answer: under tighter and tighter limits.
   std::vector<LoosenedPath> loosened;
-  double work = 0.0;               ///< see kMostSearchWork
+  double work = 0.0;               ///< see most_search_work()
   std::vector<std::string> tried;  ///< ways, in words; the last may be an end
   bool from_random = false;        ///< the answer: others may be faster
 };
@@ -89,10 +94,10 @@ struct LimitedRefinement : RefinementProtocol {
 /// there.
 ///
 /// \param neighbour  of a scene in natural units
-/// \param most_work  see kMostSearchWork
+/// \param most_work  by default most_search_work()
 [[nodiscard]] std::optional<LimitedRefinement> refine_limited_beside(
     const Scene& scene, const Discretisation& wanted,
     const FittedPath& neighbour, MeshOptions options,
-    double most_work = kMostSearchWork);
+    std::optional<double> most_work = {});
 
 }  // namespace brachisto

@@ -22,7 +22,13 @@ LimitedWays::LimitedWays(const Scene& scene, const Discretisation& wanted,
       protocol_(protocol),
       tightening_(scene, free, phi, options.ipopt, protocol) {}
 
-std::optional<FittedPath> LimitedWays::from_tight() {
+std::optional<FittedPath> LimitedWays::from_beside(const LimitedCurve& path) {
+  if (!tightening_.tighten_from(path)) return std::nullopt;
+  return from_tight(tightening_.last());
+}
+
+std::optional<FittedPath> LimitedWays::from_tight(const LimitedCurve& found) {
+  tightening_.take_tight(found);
   auto path = read_off();
   if (!path && !ended()) path = from_mesh();
   return path;

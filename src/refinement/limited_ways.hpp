@@ -30,8 +30,10 @@ class LimitedWays {
 
   /// All of them.
   [[nodiscard]] std::optional<FittedPath> find();
-  /// What the coarse path that tightening() ended with leads to.
-  [[nodiscard]] std::optional<FittedPath> from_tight();
+  /// What a coarse path that keeps the limits leads to.
+  [[nodiscard]] std::optional<FittedPath> from_tight(const LimitedCurve& found);
+  /// What a path under other limits leads to.
+  [[nodiscard]] std::optional<FittedPath> from_beside(const LimitedCurve& path);
 
   /// On meshes that know no arcs; arcs are read off where one is finest. Once.
   [[nodiscard]] std::optional<FittedPath> from_mesh();

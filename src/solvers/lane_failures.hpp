@@ -13,8 +13,8 @@ namespace brachisto {
 /// The factorisation of a link is taken if the Frobenius norm of its
 /// multipliers is at most this: rounding errors are then magnified by less than
 /// its square, 1e8, and one step of refinement leaves (1e8 ε)² = 5e-16 of them.
-/// A body that sets out from rest needs as much: there the Hessian by slopes
-/// goes with the speed.
+/// A body that sets out from rest needs as much: with 1e3, a bound for ordinary
+/// links, 18 % of the links of 40 000 elements failed, all near A.
 inline constexpr double kLargestNorm = 1e4;
 
 /// Whether a lane has its bit.

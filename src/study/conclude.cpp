@@ -66,8 +66,9 @@ void conclude(const PosedProblem& posed, const LimitedRefinement& refinement,
 void record_loosened(const PosedProblem& posed,
                      const LimitedRefinement& refinement, Solution& out) {
   // A search may end beyond its share; what it found is looked at all the same.
-  const double most_work = std::max(
-      kMostSearchWork, refinement.work + kCertifyLooser * kMostSearchWork);
+  const double of_search = most_search_work(posed.mesh_options);
+  const double most_work =
+      std::max(of_search, refinement.work + kCertifyLooser * of_search);
   double work = refinement.work;
   for (const LoosenedPath& nearby : refinement.loosened | std::views::reverse) {
     for (const double more : {0.0, 0.001, 0.005, 0.02}) {  // for its digits

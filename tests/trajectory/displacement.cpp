@@ -23,7 +23,7 @@
 namespace brachisto::testing {
 namespace {
 
-constexpr int kStretches = 10;
+constexpr int kStretches = 5;
 
 Scene with_friction(Scene scene, double mu) {
   scene.limits.friction = mu;
@@ -40,7 +40,7 @@ Solution solved(const Scene& scene) {
 /// lengths, as a curve through many of its points.
 double time_on_displaced(const Motion& motion, double from, double to,
                          double height) {
-  constexpr int kPoints = 2500;
+  constexpr int kPoints = 1000;
   const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
   const Point start = motion.at(0.0).centre;
   const double beta = motion.start_angle();

@@ -19,6 +19,7 @@ namespace {
 
 using testing::Output;
 using testing::run;
+using testing::says;
 using testing::ScratchDirectory;
 using testing::ulps;
 
@@ -32,10 +33,6 @@ nlohmann::json json_of(std::vector<std::string> arguments) {
   const Output output = body(std::move(arguments));
   EXPECT_EQ(output.code, 0) << output.err;
   return nlohmann::json::parse(output.out);
-}
-
-bool says(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 TEST(BodyVerb, ComputesWhatTheMotionDependsOn) {

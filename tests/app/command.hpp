@@ -135,6 +135,11 @@ class Process {
   return *output;
 }
 
+[[nodiscard]] inline bool says(const std::string& text,
+                               const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
 /// Processor time that goes by until the command can answer anything: that of
 /// loading its libraries, which is 15 ms on one system and 150 ms on another.
 [[nodiscard]] inline double seconds_to_load() {

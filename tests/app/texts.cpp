@@ -20,12 +20,9 @@ namespace {
 using testing::Output;
 using testing::paper_problem;
 using testing::run;
+using testing::says;
 
 const std::string kCylinder = paper_problem("fig06_uniform_cylinder");
-
-bool says(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 TEST(Texts, AResultGoesToStdout) {
   const Output output = run({"solve", kCylinder});

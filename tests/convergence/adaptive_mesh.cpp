@@ -25,17 +25,17 @@ using testing::ReferenceValue;
 // The indirect method's own error is below 1e-13; this allows for both.
 constexpr double kReferenceError = 2e-13;
 
-struct Case {
+struct ToleranceCase {
   const ReferenceValue* row;
   double tolerance;
 };
 
-std::ostream& operator<<(std::ostream& out, const Case& c) {
+std::ostream& operator<<(std::ostream& out, const ToleranceCase& c) {
   return out << c.row->name << " to " << c.tolerance;
 }
 
-std::vector<Case> all_cases() {
-  std::vector<Case> cases;
+std::vector<ToleranceCase> all_cases() {
+  std::vector<ToleranceCase> cases;
   for (const auto* row :
        {&reference("bead_L3"), &reference("uniform_L3"),
         &reference("reference_case"), &reference("L4"), &reference("fast"),
@@ -47,9 +47,9 @@ std::vector<Case> all_cases() {
   return cases;
 }
 
-class AdaptiveMesh : public ::testing::TestWithParam<Case> {
+class AdaptiveMesh : public ::testing::TestWithParam<ToleranceCase> {
  protected:
-  [[nodiscard]] static Solution solve_case(const Case& c) {
+  [[nodiscard]] static Solution solve_case(const ToleranceCase& c) {
     SolveOptions options;
     options.use<Collocation>().discretisation.tolerance = c.tolerance;
     return solve(c.row->scene(), options);
@@ -64,7 +64,7 @@ INSTANTIATE_TEST_SUITE_P(Tolerances, AdaptiveMesh,
                          ::testing::ValuesIn(all_cases()));
 
 TEST_P(AdaptiveMesh, MeetsItsToleranceAndKnowsIt) {
-  const Case& c = GetParam();
+  const ToleranceCase& c = GetParam();
   const double exact = exact_tau(*c.row);
 
   const Solution solution = solve_case(c);

@@ -27,35 +27,42 @@ using testing::observed_order;
 // keeps its C within a factor of two over meshes that differ by eight. That is
 // a slope wrong by log 2/log 8 = 1/3 at most, which tells 2p − 1 from 2p − 2
 // and 2p.
-constexpr double kSlopeTolerance = 0.35;
+constexpr double kLimitedSlopeTolerance = 0.35;
 
-struct Case {
+struct LimitedOrderCase {
   std::string row;
   int degree;
 };
-std::ostream& operator<<(std::ostream& out, const Case& c) {
+std::ostream& operator<<(std::ostream& out, const LimitedOrderCase& c) {
   return out << c.row << ", degree " << c.degree;
 }
 
 // One row for each kind of limit: forces, curvature, a floor, optimal contacts.
 // The finest error is 1e-11 at least, a hundred units of the reference's last
 // digit.
-const std::array kCases{
-    Case{"friction_3", 1},     Case{"friction_3", 2},
-    Case{"friction_3", 3},     Case{"friction_0.3", 2},
-    Case{"normal_min_0.1", 1}, Case{"normal_min_0.1", 2},
-    Case{"normal_min_0.1", 3}, Case{"valley_4", 1},
-    Case{"valley_4", 3},       Case{"floor_0.8", 1},
-    Case{"floor_0.8", 2},      Case{"floor_0.8", 3},
-    Case{"optimal_K2", 2},
+const std::array kLimitedOrderCases{
+    LimitedOrderCase{"friction_3", 1},
+    LimitedOrderCase{"friction_3", 2},
+    LimitedOrderCase{"friction_3", 3},
+    LimitedOrderCase{"friction_0.3", 2},
+    LimitedOrderCase{"normal_min_0.1", 1},
+    LimitedOrderCase{"normal_min_0.1", 2},
+    LimitedOrderCase{"normal_min_0.1", 3},
+    LimitedOrderCase{"valley_4", 1},
+    LimitedOrderCase{"valley_4", 3},
+    LimitedOrderCase{"floor_0.8", 1},
+    LimitedOrderCase{"floor_0.8", 2},
+    LimitedOrderCase{"floor_0.8", 3},
+    LimitedOrderCase{"optimal_K2", 2},
 };
 
-class LimitedOrder : public ::testing::TestWithParam<Case> {};
+class LimitedOrder : public ::testing::TestWithParam<LimitedOrderCase> {};
 
-INSTANTIATE_TEST_SUITE_P(Rows, LimitedOrder, ::testing::ValuesIn(kCases));
+INSTANTIATE_TEST_SUITE_P(Rows, LimitedOrder,
+                         ::testing::ValuesIn(kLimitedOrderCases));
 
 TEST_P(LimitedOrder, IsTwiceTheDegreeLessOne) {
-  const Case& c = GetParam();
+  const LimitedOrderCase& c = GetParam();
   const auto rows = testing::limited_references();
   const auto row = std::ranges::find(rows, c.row, &LimitedReference::name);
   ASSERT_NE(row, rows.end());
@@ -74,7 +81,8 @@ TEST_P(LimitedOrder, IsTwiceTheDegreeLessOne) {
     error[i] = std::abs(solution.motion()->tau() / row->tau - 1.0);
   }
 
-  EXPECT_NEAR(observed_order(h, error), 2.0 * c.degree - 1.0, kSlopeTolerance)
+  EXPECT_NEAR(observed_order(h, error), 2.0 * c.degree - 1.0,
+              kLimitedSlopeTolerance)
       << "errors " << error[0] << ", " << error[1] << ", " << error[2] << ", "
       << error[3];
 }

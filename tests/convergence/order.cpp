@@ -31,7 +31,7 @@ constexpr double kSlopeTolerance = 0.35;
 
 enum class Figure { Tau, EndAngle };
 
-struct Case {
+struct OrderCase {
   const ReferenceValue* row;
   Figure figure;
   int degree;
@@ -40,7 +40,7 @@ struct Case {
   std::array<int, 4> elements;
 };
 
-std::ostream& operator<<(std::ostream& out, const Case& c) {
+std::ostream& operator<<(std::ostream& out, const OrderCase& c) {
   return out << c.row->name << ", degree " << c.degree << ", "
              << (c.figure == Figure::Tau ? "tau" : "end angle");
 }
@@ -51,29 +51,29 @@ constexpr const ReferenceValue* kTurned = &reference("theta_-30");
 // Two series are missing because τ passes the exact value on its way, its
 // errors of order 2p and 2p + 2 being of opposite sign: p = 3 of the base case
 // (near N = 20), and p = 4 of the other one (no four meshes above rounding).
-constexpr std::array kCases{
-    Case{kBase, Figure::Tau, 1, {20, 40, 80, 160}},
-    Case{kBase, Figure::Tau, 2, {16, 32, 64, 128}},
-    Case{kBase, Figure::Tau, 4, {18, 20, 22, 24}},
-    Case{kBase, Figure::EndAngle, 1, {20, 40, 80, 160}},
-    Case{kBase, Figure::EndAngle, 2, {24, 48, 96, 192}},
-    Case{kBase, Figure::EndAngle, 3, {20, 24, 28, 32}},
-    Case{kBase, Figure::EndAngle, 4, {18, 20, 22, 24}},
-    Case{kTurned, Figure::Tau, 1, {20, 40, 80, 160}},
-    Case{kTurned, Figure::Tau, 2, {16, 32, 64, 128}},
-    Case{kTurned, Figure::Tau, 3, {24, 28, 32, 40}},
-    Case{kTurned, Figure::EndAngle, 1, {20, 40, 80, 160}},
-    Case{kTurned, Figure::EndAngle, 2, {20, 40, 80, 160}},
-    Case{kTurned, Figure::EndAngle, 3, {20, 24, 28, 32}},
-    Case{kTurned, Figure::EndAngle, 4, {16, 20, 24, 28}},
+constexpr std::array kOrderCases{
+    OrderCase{kBase, Figure::Tau, 1, {20, 40, 80, 160}},
+    OrderCase{kBase, Figure::Tau, 2, {16, 32, 64, 128}},
+    OrderCase{kBase, Figure::Tau, 4, {18, 20, 22, 24}},
+    OrderCase{kBase, Figure::EndAngle, 1, {20, 40, 80, 160}},
+    OrderCase{kBase, Figure::EndAngle, 2, {24, 48, 96, 192}},
+    OrderCase{kBase, Figure::EndAngle, 3, {20, 24, 28, 32}},
+    OrderCase{kBase, Figure::EndAngle, 4, {18, 20, 22, 24}},
+    OrderCase{kTurned, Figure::Tau, 1, {20, 40, 80, 160}},
+    OrderCase{kTurned, Figure::Tau, 2, {16, 32, 64, 128}},
+    OrderCase{kTurned, Figure::Tau, 3, {24, 28, 32, 40}},
+    OrderCase{kTurned, Figure::EndAngle, 1, {20, 40, 80, 160}},
+    OrderCase{kTurned, Figure::EndAngle, 2, {20, 40, 80, 160}},
+    OrderCase{kTurned, Figure::EndAngle, 3, {20, 24, 28, 32}},
+    OrderCase{kTurned, Figure::EndAngle, 4, {16, 20, 24, 28}},
 };
 
-class RollingTimeOrder : public ::testing::TestWithParam<Case> {};
+class RollingTimeOrder : public ::testing::TestWithParam<OrderCase> {};
 INSTANTIATE_TEST_SUITE_P(Degrees, RollingTimeOrder,
-                         ::testing::ValuesIn(kCases));
+                         ::testing::ValuesIn(kOrderCases));
 
 TEST_P(RollingTimeOrder, IsTwiceTheDegree) {
-  const Case& c = GetParam();
+  const OrderCase& c = GetParam();
   std::array<double, 4> h{};
   std::array<double, 4> error{};
 

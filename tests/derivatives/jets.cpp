@@ -23,8 +23,8 @@ namespace {
 constexpr int kLargestDegree = 8;
 constexpr int kElements = 2;
 /// Five unknowns per node of an off-centred body.
-constexpr int kMaxVariables = 5 * (kElements * kLargestDegree + 1);
-using Jet = math::Jet2<double, kMaxVariables>;
+constexpr int kMostUnknowns = 5 * (kElements * kLargestDegree + 1);
+using JetOfAll = math::Jet2<double, kMostUnknowns>;
 
 struct Dense {
   double f;
@@ -66,17 +66,17 @@ Dense by_jets(const ProblemCase& row, const std::vector<double>& x,
               double objective_factor, const std::vector<double>& lambda) {
   const auto n = static_cast<int>(x.size());
   const auto m = static_cast<int>(lambda.size());
-  std::vector<Jet> unknowns;
+  std::vector<JetOfAll> unknowns;
   for (int i = 0; i < n; ++i) {
-    unknowns.push_back(Jet::variable(x[static_cast<std::size_t>(i)], i));
+    unknowns.push_back(JetOfAll::variable(x[static_cast<std::size_t>(i)], i));
   }
-  const Functions<Jet> functions = literal_functions(row, unknowns);
+  const Functions<JetOfAll> functions = literal_functions(row, unknowns);
 
   Dense out{functions.f.value, Eigen::VectorXd(n), Eigen::VectorXd(m),
             Eigen::MatrixXd::Zero(m, n), Eigen::MatrixXd::Zero(n, n)};
-  Jet lagrangian = objective_factor * functions.f;
+  JetOfAll lagrangian = objective_factor * functions.f;
   for (int i = 0; i < m; ++i) {
-    const Jet& g = functions.g[static_cast<std::size_t>(i)];
+    const JetOfAll& g = functions.g[static_cast<std::size_t>(i)];
     out.g(i) = g.value;
     for (int c = 0; c < n; ++c) {
       out.jac_g(i, c) = g.gradient[static_cast<std::size_t>(c)];
@@ -86,7 +86,7 @@ Dense by_jets(const ProblemCase& row, const std::vector<double>& x,
   for (int i = 0; i < n; ++i) {
     out.grad_f(i) = functions.f.gradient[static_cast<std::size_t>(i)];
     for (int c = 0; c <= i; ++c) {
-      out.hess_lag(i, c) = lagrangian.hessian[Jet::pair(i, c)];
+      out.hess_lag(i, c) = lagrangian.hessian[JetOfAll::pair(i, c)];
     }
   }
   return out;

@@ -19,6 +19,7 @@
 #include <string>
 #include <utility>
 
+#include "brachisto/math/index.hpp"
 #include "derivatives/taylor_remainders.hpp"
 #include "support/limited_problems.hpp"
 #include "support/observed_order.hpp"
@@ -26,10 +27,6 @@
 
 namespace brachisto::testing {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 struct LimitedCase {
   std::string name;

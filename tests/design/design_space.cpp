@@ -8,17 +8,17 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <string>
 #include <vector>
 
 #include "brachisto/model/body.hpp"
+#include "support/numbers.hpp"
 
 namespace brachisto {
 namespace {
 
+using testing::kPi;
 using enum BodyKey;
-constexpr double kPi = std::numbers::pi;
 
 const Body kBody = Body::cylinder(0.4, 0.5, -0.3, 0.3);
 

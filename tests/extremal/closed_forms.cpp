@@ -4,19 +4,19 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "extremal/scenes.hpp"
 #include "extremal/shooting.hpp"
 #include "model/hamiltonian.hpp"
+#include "support/numbers.hpp"
 
 namespace brachisto {
 namespace {
 
 using testing::base_scene;
+using testing::kPi;
 using testing::scene_of;
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kTolerance = 1e-12;
 
 TEST(ClosedForm, OfTheBeadIsFound) {

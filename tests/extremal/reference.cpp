@@ -6,18 +6,18 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
 #include <string>
 
 #include "extremal/scenes.hpp"
 #include "extremal/shooting.hpp"
+#include "support/numbers.hpp"
 
 namespace brachisto {
 namespace {
 
+using testing::kPi;
 using testing::scene_of;
 
-constexpr double kPi = std::numbers::pi;
 /// The values have 12 digits of τ and 10 of the rest; one is left as margin.
 constexpr double kTimeTolerance = 1e-11;
 constexpr double kFigureTolerance = 1e-9;

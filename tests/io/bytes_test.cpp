@@ -45,7 +45,7 @@ TEST(Bytes, IllFormedCharactersAreRefused) {
        {"\xC0\xAF", "\xED\xA0\x80", "\xF4\x90\x80\x80", "\xE2\x82", "\x80",
         "\xF0\x80\x80\x80", "\xF5\x80\x80\x80", "\xE2\x28\xA1"}) {
     EXPECT_NE(errors("# " + bytes).find("is not UTF-8"), std::string::npos)
-        << testing::PrintToString(bytes);
+        << ::testing::PrintToString(bytes);
   }
 }
 
@@ -91,7 +91,7 @@ TEST(Bytes, EmptyFilesAreRefused) {
        {"", "\n\n", "# only\n# comments\n", "---\n", "\xEF\xBB\xBF", "~"}) {
     EXPECT_EQ(errors(text),
               "p.yaml:1:1: the file is empty; expected at least the key scene")
-        << testing::PrintToString(text);
+        << ::testing::PrintToString(text);
   }
 }
 

@@ -17,12 +17,12 @@ namespace {
 
 const std::string kScene = cylinder("radius: 1/3, eta_m: 0.2, k: 1/2");
 
-std::string with(const std::string& section) {
+std::string with_design(const std::string& section) {
   return kScene + "design: " + section + "\n";
 }
 
-DesignPlan plan(const std::string& section) {
-  return read(with(section)).design;
+DesignPlan design_plan(const std::string& section) {
+  return read(with_design(section)).design;
 }
 
 bool refused(const std::string& text, const std::string& reason) {
@@ -46,7 +46,7 @@ TEST(DesignSection, HasDefaults) {
 }
 
 TEST(DesignSection, IsRead) {
-  const DesignPlan stated = plan(
+  const DesignPlan stated = design_plan(
       "{minimise: tau, free: [k, theta_m, r], bounds: {k: [0.1, 3/4], theta_m: "
       "[-30 deg, 1], r: [0.1, 1/2]}, require_feasible: false, starts: 7, seed: "
       "3, start: 2}");
@@ -65,41 +65,43 @@ TEST(DesignSection, IsRead) {
 }
 
 TEST(DesignSection, BoundsTheGrip) {
-  EXPECT_FALSE(plan("{free: [k]}").max_grip);
-  const DesignPlan stated = plan("{free: [k], max_grip: {mu: 1/2}}");
+  EXPECT_FALSE(design_plan("{free: [k]}").max_grip);
+  const DesignPlan stated = design_plan("{free: [k], max_grip: {mu: 1/2}}");
 
   ASSERT_TRUE(stated.max_grip);
   EXPECT_EQ(stated.max_grip->mu, 0.5);
   EXPECT_EQ(stated.max_grip->after, 0.01);
-  EXPECT_EQ(plan("{free: [k], max_grip: {mu: 1, after: 0.05}}").max_grip->after,
+  EXPECT_EQ(design_plan("{free: [k], max_grip: {mu: 1, after: 0.05}}")
+                .max_grip->after,
             0.05);
-  EXPECT_TRUE(refused(with("{free: [k], max_grip: {after: 0.05}}"),
+  EXPECT_TRUE(refused(with_design("{free: [k], max_grip: {after: 0.05}}"),
                       "design.max_grip.mu: missing"));
-  EXPECT_TRUE(refused(with("{free: [k], max_grip: {mu: 1, after: 1}}"),
+  EXPECT_TRUE(refused(with_design("{free: [k], max_grip: {mu: 1, after: 1}}"),
                       "0 ≤ share < 1"));
-  EXPECT_TRUE(
-      refused(with("{free: [k], max_grip: {mu: 1}, require_feasible: false}"),
-              "not allowed beside require_feasible: false"));
+  EXPECT_TRUE(refused(
+      with_design("{free: [k], max_grip: {mu: 1}, require_feasible: false}"),
+      "not allowed beside require_feasible: false"));
 }
 
 TEST(DesignSection, RefusesWhatIsNoBodyKey) {
-  refused(with("{free: [eta]}"), "eta_m");
-  refused(with("{free: [k, k]}"), "repeated");
-  refused(with("{free: []}"), "empty list");
-  refused(with("{minimise: mass, free: [k]}"), "tau");
-  refused(with("{free: [k], bounds: {k: [0.5]}}"), "a list of 1 was read");
-  refused(with("{free: [k], bounds: {k: [0.5, 0.5]}}"), "no room");
-  refused(with("{free: [k], bounds: {k: [-0.1, 0.5]}}"), "from 0 to 1");
-  refused(with("{free: [k], bounds: {eta_m: [0, 0.5]}}"), "not free");
-  refused(with("{free: [k], starts: 0}"), "from 1 to 1000");
+  refused(with_design("{free: [eta]}"), "eta_m");
+  refused(with_design("{free: [k, k]}"), "repeated");
+  refused(with_design("{free: []}"), "empty list");
+  refused(with_design("{minimise: mass, free: [k]}"), "tau");
+  refused(with_design("{free: [k], bounds: {k: [0.5]}}"),
+          "a list of 1 was read");
+  refused(with_design("{free: [k], bounds: {k: [0.5, 0.5]}}"), "no room");
+  refused(with_design("{free: [k], bounds: {k: [-0.1, 0.5]}}"), "from 0 to 1");
+  refused(with_design("{free: [k], bounds: {eta_m: [0, 0.5]}}"), "not free");
+  refused(with_design("{free: [k], starts: 0}"), "from 1 to 1000");
 }
 
 TEST(DesignSection, RefusesARadiusWithoutABound) {
   // (L² + H²)/(2L) = 5/3.
   const std::string reason = "(L² + H²)/(2L) = 1.66667 m";
-  refused(with("{free: [r]}"), reason);
-  refused(with("{free: [r], bounds: {r: [0.1, 5/3]}}"), reason);
-  EXPECT_EQ(errors(with("{free: [r], bounds: {r: [0.1, 1.66]}}")), "");
+  refused(with_design("{free: [r]}"), reason);
+  refused(with_design("{free: [r], bounds: {r: [0.1, 5/3]}}"), reason);
+  EXPECT_EQ(errors(with_design("{free: [r], bounds: {r: [0.1, 1.66]}}")), "");
 }
 
 TEST(DesignSection, RefusesWaysOfSolvingThatItDoesNotGo) {
@@ -112,7 +114,7 @@ TEST(DesignSection, RefusesWaysOfSolvingThatItDoesNotGo) {
 }
 
 TEST(DesignSection, RefusesAStartThatThereIsNot) {
-  EXPECT_TRUE(refused(with("{free: [eta_m], starts: 5, start: 6}"),
+  EXPECT_TRUE(refused(with_design("{free: [eta_m], starts: 5, start: 6}"),
                       "design.start: 6 is not allowed; there are 5 starts"));
 }
 
@@ -127,29 +129,30 @@ TEST(DesignSection, TakesAStartWithASpeed) {
 
 TEST(DesignSection, RefusesDirectionsThatAreNotConvexWithOffsets) {
   const std::string wide = "bounds: {theta_m: [-120 deg, 120 deg]}}";
-  refused(with("{free: [eta_m, theta_m], " + wide), "half a turn");
-  EXPECT_EQ(errors(with("{free: [theta_m], " + wide)), "");
+  refused(with_design("{free: [eta_m, theta_m], " + wide), "half a turn");
+  EXPECT_EQ(errors(with_design("{free: [theta_m], " + wide)), "");
 }
 
 TEST(DesignSection, RefusesDirectionsThatComeTwice) {
-  refused(with("{free: [theta_m], bounds: {theta_m: [-200 deg, 200 deg]}}"),
-          "more than a turn");
+  refused(
+      with_design("{free: [theta_m], bounds: {theta_m: [-200 deg, 200 deg]}}"),
+      "more than a turn");
   EXPECT_TRUE(
-      plan("{free: [theta_m], bounds: {theta_m: [0, 2*pi]}}").bounds[1]);
+      design_plan("{free: [theta_m], bounds: {theta_m: [0, 2*pi]}}").bounds[1]);
 }
 
 TEST(DesignSection, RefusesBoundsThatNoBodyHas) {
   const std::string reason = "k ≤ 1 − η_m² = 0.36";
-  refused(
-      with("{free: [eta_m, k], bounds: {eta_m: [0.8, 0.9], k: [0.5, 0.6]}}"),
-      "design.bounds.eta_m: no body has η_m ≥ 0.8 and k ≥ 0.5: " + reason);
-  refused(with("{free: [eta_m], bounds: {eta_m: [0.8, 0.9]}}"),
+  refused(with_design(
+              "{free: [eta_m, k], bounds: {eta_m: [0.8, 0.9], k: [0.5, 0.6]}}"),
+          "design.bounds.eta_m: no body has η_m ≥ 0.8 and k ≥ 0.5: " + reason);
+  refused(with_design("{free: [eta_m], bounds: {eta_m: [0.8, 0.9]}}"),
           "design.bounds.eta_m: no body has η_m ≥ 0.8 and k = 0.5: " + reason);
   refused(cylinder("radius: 1/3, eta_m: 0.8, k: 0.1") +
               "design: {free: [k], bounds: {k: [0.5, 0.6]}}\n",
           "design.bounds.k: no body has η_m = 0.8 and k ≥ 0.5: " + reason);
   // 0.6² + 0.5 is less than 1.
-  EXPECT_TRUE(plan("{free: [eta_m], bounds: {eta_m: [0.6, 0.9]}}")
+  EXPECT_TRUE(design_plan("{free: [eta_m], bounds: {eta_m: [0.6, 0.9]}}")
                   .is_free(BodyKey::EtaM));
 }
 
@@ -207,7 +210,7 @@ TEST(BodyParts, MayBeFree) {
   refused(parts + "design: {free: [{part: 2}, {part: 2, key: at}]}\n",
           "free already");
   refused(parts + "design: {free: [k]}\n", "parts are free");
-  refused(with("{free: [{part: 1}]}"), "there is no part 1");
+  refused(with_design("{free: [{part: 1}]}"), "there is no part 1");
 }
 
 }  // namespace

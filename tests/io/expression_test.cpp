@@ -7,13 +7,14 @@
 
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <string>
+
+#include "support/numbers.hpp"
 
 namespace brachisto::io {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using testing::kPi;
 
 /// Why a text is refused; "" if it is not.
 std::string refusal(const std::string& text, Unit unit = Unit::None) {

@@ -11,6 +11,7 @@
 
 #include "brachisto/io/problem_file.hpp"
 #include "io/path_points.hpp"
+#include "io/reading.hpp"
 #include "support/scratch_directory.hpp"
 
 namespace brachisto::io {
@@ -27,10 +28,11 @@ std::string problem(const std::string& path, const std::string& more = "") {
          path + "\n" + more;
 }
 
-std::string errors(const std::string& text,
-                   const std::string& name = "p.yaml") {
+/// All messages about a problem file in a directory; "" if it is good.
+std::string errors_in(const ScratchDirectory& scratch,
+                      const std::string& text) {
   try {
-    (void)read_problem_text(text, name);
+    (void)read_problem_text(text, (scratch.path() / "p.yaml").string());
   } catch (const InputError& error) {
     return error.what();
   }
@@ -102,8 +104,8 @@ TEST(GivenPath, RefusesPointsThatAreNone) {
   const ScratchDirectory scratch;
   const auto refusal = [&](const std::string& csv) {
     (void)scratch.file("track.csv", csv);
-    return errors(problem("{curve: track, shape: points, file: track.csv}"),
-                  (scratch.path() / "p.yaml").string());
+    return errors_in(scratch,
+                     problem("{curve: track, shape: points, file: track.csv}"));
   };
   EXPECT_EQ(refusal("x,z\n0,0\n1,0.7\n3,1\n"), "");
   EXPECT_NE(refusal("0,0\n3,1\n").find("track.csv:1:"), std::string::npos);
@@ -151,7 +153,7 @@ TEST(GivenPath, OfPointsThatCannotBeReadIsNoMistakeOfTheFile) {
   EXPECT_NE(failure(pipe).find("is a pipe"), std::string::npos);
 }
 
-std::string refusal(const std::string& points) {
+std::string points_refusal(const std::string& points) {
   try {
     (void)parse_points(points);
   } catch (const PointsError& error) {
@@ -161,7 +163,7 @@ std::string refusal(const std::string& points) {
 }
 
 TEST(Points, ThatAreNoNumbersAreToldWhereAndWhy) {
-  EXPECT_EQ(refusal("x,z\n0,0\n1,a\n"),
+  EXPECT_EQ(points_refusal("x,z\n0,0\n1,a\n"),
             "3:3: \"a\" is not a number: \"a\" has no meaning here; expected "
             "two numbers x,z in m");
   const std::string expected = "expected a point [x, z], two numbers in m";
@@ -190,9 +192,9 @@ TEST(Points, AreBounded) {
     most += std::to_string(i) + ",0\n";
   }
   EXPECT_EQ(parse_points(most).size(), 100'000U);
-  EXPECT_EQ(refusal(most + "-1,0\n"),
+  EXPECT_EQ(points_refusal(most + "-1,0\n"),
             "100002:1: \"-1,0\" is one point too many; 100000 are allowed");
-  EXPECT_EQ(refusal("x,z\n" + std::string(kMaxPointsSize, '\n')),
+  EXPECT_EQ(points_refusal("x,z\n" + std::string(kMaxPointsSize, '\n')),
             "1:1: longer than 16777216 bytes, which no 100000 points need");
 }
 
@@ -200,10 +202,10 @@ TEST(GivenPath, HoldsTheEndsAgainstLAndHSeparately) {
   const ScratchDirectory scratch;
   (void)scratch.file("track.csv", "x,z\n0,0\n1,1e-6\n3,2e-6\n");
 
-  const std::string found = errors(
-      "scene: {body: {shape: bead}, finish: {L: 3, H: 1e-6},\n"
-      "  path: {curve: track, shape: points, file: track.csv}}\n",
-      (scratch.path() / "p.yaml").string());
+  const std::string found =
+      errors_in(scratch,
+                "scene: {body: {shape: bead}, finish: {L: 3, H: 1e-6},\n"
+                "  path: {curve: track, shape: points, file: track.csv}}\n");
 
   EXPECT_NE(found.find("the last point is (3, 2e-06) and has to be (3, 1e-06)"),
             std::string::npos)

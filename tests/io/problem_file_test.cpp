@@ -121,7 +121,7 @@ TEST(ProblemFile, DirectoriesAreIoErrors) {
 
 TEST(ProblemFile, IsReadFromDisk) {
   const std::filesystem::path path =
-      std::filesystem::path(testing::TempDir()) / "brachisto_io_test.yaml";
+      std::filesystem::path(::testing::TempDir()) / "brachisto_io_test.yaml";
   std::ofstream(path) << kBead << "version: 3\n";
 
   std::string message;

@@ -8,18 +8,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <thread>
 
 #include "io/sweep_reading.hpp"
+#include "support/numbers.hpp"
 
 namespace brachisto::io {
 namespace {
 
 using ::testing::ElementsAre;
-
-constexpr double kPi = std::numbers::pi;
+using testing::kPi;
 
 TEST(SweepRange, HasBothEndsExactly) {
   const std::string ends = "{from: 0.1, to: 1/3, count: 97";

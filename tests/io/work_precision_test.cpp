@@ -15,12 +15,12 @@ namespace brachisto::io {
 namespace {
 
 /// A good problem whose second line is a section.
-std::string with(const std::string& section) {
+std::string with_work_precision(const std::string& section) {
   return kBead + "work_precision: " + section + "\n";
 }
 
-WorkPrecisionPlan plan(const std::string& section) {
-  return read(with(section)).work_precision;
+WorkPrecisionPlan work_precision_plan(const std::string& section) {
+  return read(with_work_precision(section)).work_precision;
 }
 
 const std::string kExpectedMethods =
@@ -40,12 +40,12 @@ TEST(WorkPrecisionSection, HasDefaults) {
   EXPECT_EQ(absent.tolerances,
             (std::vector<double>{1e-4, 1e-6, 1e-8, 1e-10, 1e-12}));
   EXPECT_EQ(absent.methods.size(), 11U);
-  EXPECT_EQ(plan("").methods, absent.methods);
-  EXPECT_EQ(plan("{meshes: [7]}").methods, absent.methods);
+  EXPECT_EQ(work_precision_plan("").methods, absent.methods);
+  EXPECT_EQ(work_precision_plan("{meshes: [7]}").methods, absent.methods);
 }
 
 TEST(WorkPrecisionSection, IsRead) {
-  const WorkPrecisionPlan stated = plan(
+  const WorkPrecisionPlan stated = work_precision_plan(
       "{methods: [extremal, {rolling_time: [2, 1+4]}, {fsolve: [lifted, "
       "rest]}], meshes: [40, 10], repetitions: 3, seconds_per_point: 1/2}");
 
@@ -61,8 +61,8 @@ TEST(WorkPrecisionSection, IsRead) {
 }
 
 TEST(WorkPrecisionSection, WordsAloneStandForTheirDefaults) {
-  const WorkPrecisionPlan stated =
-      plan("{methods: [rolling_time, adaptive, arc_length, extremal, fsolve]}");
+  const WorkPrecisionPlan stated = work_precision_plan(
+      "{methods: [rolling_time, adaptive, arc_length, extremal, fsolve]}");
 
   EXPECT_EQ(stated.methods, WorkPrecisionPlan{}.methods);
 }
@@ -78,115 +78,117 @@ TEST(WorkPrecisionSection, CanBeOverridden) {
 }
 
 TEST(WorkPrecisionSection, UnknownKeysGetTheNearestKnown) {
-  EXPECT_EQ(errors(with("{method: [extremal]}")),
+  EXPECT_EQ(errors(with_work_precision("{method: [extremal]}")),
             "p.yaml:2:18: work_precision.method: misplaced key; it belongs in "
             "solver; allowed in work_precision: methods, meshes, tolerances, "
             "repetitions, seconds_per_point");
-  EXPECT_EQ(errors(with("{meshs: [10]}")),
+  EXPECT_EQ(errors(with_work_precision("{meshs: [10]}")),
             "p.yaml:2:18: work_precision.meshs: unknown key; allowed in "
             "work_precision: methods, meshes, tolerances, repetitions, "
             "seconds_per_point; did you mean meshes?");
-  EXPECT_EQ(errors(with("[extremal]")),
+  EXPECT_EQ(errors(with_work_precision("[extremal]")),
             "p.yaml:2:17: work_precision: a list was read; expected a map with "
             "the keys methods, meshes, tolerances, repetitions, "
             "seconds_per_point");
 }
 
 TEST(WorkPrecisionSection, MethodsAreWordsOrNamedLists) {
-  EXPECT_EQ(errors(with("{methods: extremal}")),
+  EXPECT_EQ(errors(with_work_precision("{methods: extremal}")),
             "p.yaml:2:27: work_precision.methods: a single value was read; " +
                 kExpectedMethods);
-  EXPECT_EQ(errors(with("{methods: []}")),
+  EXPECT_EQ(errors(with_work_precision("{methods: []}")),
             "p.yaml:2:27: work_precision.methods: an empty list was read; " +
                 kExpectedMethods);
-  EXPECT_EQ(errors(with("{methods: [extremal, arclength]}")),
+  EXPECT_EQ(errors(with_work_precision("{methods: [extremal, arclength]}")),
             "p.yaml:2:38: work_precision.methods: \"arclength\" was read; " +
                 kExpectedMethods + "; did you mean arc_length?");
-  EXPECT_EQ(errors(with("{methods: [[extremal]]}")),
+  EXPECT_EQ(errors(with_work_precision("{methods: [[extremal]]}")),
             "p.yaml:2:28: work_precision.methods: a list was read; " +
                 kExpectedMethods);
-  EXPECT_EQ(errors(with("{methods: [{extremal: [1]}]}")),
+  EXPECT_EQ(errors(with_work_precision("{methods: [{extremal: [1]}]}")),
             "p.yaml:2:29: work_precision.methods: \"extremal\" was read; " +
                 kExpectedMethods);
 }
 
 TEST(WorkPrecisionSection, DegreesAndArmsAreThoseThereAre) {
-  EXPECT_EQ(errors(with("{methods: [{rolling_time: [1, 9]}]}")),
+  EXPECT_EQ(errors(with_work_precision("{methods: [{rolling_time: [1, 9]}]}")),
             "p.yaml:2:47: work_precision.methods.rolling_time: \"9\" is not "
             "allowed; " +
                 kExpectedDegrees);
-  EXPECT_EQ(errors(with("{methods: [{rolling_time: [1.5]}]}")),
+  EXPECT_EQ(errors(with_work_precision("{methods: [{rolling_time: [1.5]}]}")),
             "p.yaml:2:44: work_precision.methods.rolling_time: \"1.5\" is not "
             "an integer; " +
                 kExpectedDegrees);
-  EXPECT_EQ(errors(with("{methods: [{rolling_time: 5}]}")),
+  EXPECT_EQ(errors(with_work_precision("{methods: [{rolling_time: 5}]}")),
             "p.yaml:2:43: work_precision.methods.rolling_time: a single value "
             "was read; " +
                 kExpectedDegrees);
-  EXPECT_EQ(errors(with("{methods: [{fsolve: [rest, newtn]}]}")),
+  EXPECT_EQ(errors(with_work_precision("{methods: [{fsolve: [rest, newtn]}]}")),
             "p.yaml:2:44: work_precision.methods.fsolve: \"newtn\" was read; "
             "expected a list of rest, release, newton, lifted; did you mean "
             "newton?");
 }
 
 TEST(WorkPrecisionSection, NothingIsRunTwice) {
-  EXPECT_EQ(errors(with("{methods: [extremal, extremal]}")),
+  EXPECT_EQ(errors(with_work_precision("{methods: [extremal, extremal]}")),
             "p.yaml:2:38: work_precision.methods: \"extremal\" is repeated; " +
                 kExpectedMethods + ", each once");
   EXPECT_EQ(
-      errors(with("{methods: [rolling_time, rolling_time]}")),
+      errors(with_work_precision("{methods: [rolling_time, rolling_time]}")),
       "p.yaml:2:42: work_precision.methods: \"rolling_time\" is repeated; " +
           kExpectedMethods + ", each once");
   EXPECT_EQ(
-      errors(with("{methods: [{rolling_time: [2, 3, 2]}]}")),
+      errors(with_work_precision("{methods: [{rolling_time: [2, 3, 2]}]}")),
       "p.yaml:2:50: work_precision.methods.rolling_time: \"2\" is repeated; " +
           kExpectedDegrees + ", each once");
-  EXPECT_EQ(errors(with("{meshes: [10, 20, 10]}")),
+  EXPECT_EQ(errors(with_work_precision("{meshes: [10, 20, 10]}")),
             "p.yaml:2:35: work_precision.meshes: \"10\" is repeated; " +
                 kExpectedMeshes + ", each once");
 }
 
 TEST(WorkPrecisionSection, MeshesAreIntegersWithinBounds) {
-  EXPECT_EQ(errors(with("{meshes: 10}")),
+  EXPECT_EQ(errors(with_work_precision("{meshes: 10}")),
             "p.yaml:2:26: work_precision.meshes: a single value was read; " +
                 kExpectedMeshes);
-  EXPECT_EQ(errors(with("{meshes: [10, 1]}")),
+  EXPECT_EQ(errors(with_work_precision("{meshes: [10, 1]}")),
             "p.yaml:2:31: work_precision.meshes: \"1\" is not allowed; " +
                 kExpectedMeshes);
-  EXPECT_EQ(errors(with("{meshes: [10.5]}")),
+  EXPECT_EQ(errors(with_work_precision("{meshes: [10.5]}")),
             "p.yaml:2:27: work_precision.meshes: \"10.5\" is not an integer; " +
                 kExpectedMeshes);
-  EXPECT_NE(errors(with("{meshes: [ten]}")).find("is not a number"),
-            std::string::npos);
+  EXPECT_NE(
+      errors(with_work_precision("{meshes: [ten]}")).find("is not a number"),
+      std::string::npos);
 }
 
 TEST(WorkPrecisionSection, TolerancesAreNumbersWithinBoundsFromCoarseToFine) {
-  EXPECT_EQ(plan("{tolerances: [1e-9, 1e-3, 1e-5]}").tolerances,
+  EXPECT_EQ(work_precision_plan("{tolerances: [1e-9, 1e-3, 1e-5]}").tolerances,
             (std::vector<double>{1e-3, 1e-5, 1e-9}));
   const std::string expected = "expected a list of numbers from 1e-13 to 0.1";
-  EXPECT_EQ(errors(with("{tolerances: [1e-14]}")),
+  EXPECT_EQ(errors(with_work_precision("{tolerances: [1e-14]}")),
             "p.yaml:2:31: work_precision.tolerances: \"1e-14\" is not "
             "allowed; " +
                 expected);
-  EXPECT_EQ(errors(with("{tolerances: [1e-4, 1e-4]}")),
+  EXPECT_EQ(errors(with_work_precision("{tolerances: [1e-4, 1e-4]}")),
             "p.yaml:2:37: work_precision.tolerances: \"1e-4\" is repeated; " +
                 expected + ", each once");
 }
 
 TEST(WorkPrecisionSection, NumbersAreWithinBounds) {
-  EXPECT_EQ(errors(with("{repetitions: 0}")),
+  EXPECT_EQ(errors(with_work_precision("{repetitions: 0}")),
             "p.yaml:2:31: work_precision.repetitions: \"0\" is not allowed; "
             "expected an integer, from 1 to 1000");
-  EXPECT_EQ(errors(with("{seconds_per_point: 0}")),
+  EXPECT_EQ(errors(with_work_precision("{seconds_per_point: 0}")),
             "p.yaml:2:37: work_precision.seconds_per_point: \"0\" is not "
             "allowed; expected a number in s, > 0");
 }
 
 TEST(WorkPrecisionSection, AllMistakesAreReportedAtOnce) {
-  EXPECT_EQ(
-      errors(with("{meshes: [1, x], repetitions: many}")).find("p.yaml:2:27"),
-      0U);
-  const std::string all = errors(with("{meshes: [1, 0], repetitions: 0.5}"));
+  EXPECT_EQ(errors(with_work_precision("{meshes: [1, x], repetitions: many}"))
+                .find("p.yaml:2:27"),
+            0U);
+  const std::string all =
+      errors(with_work_precision("{meshes: [1, 0], repetitions: 0.5}"));
   EXPECT_NE(all.find("p.yaml:2:30"), std::string::npos) << all;
   EXPECT_NE(all.find("work_precision.repetitions"), std::string::npos) << all;
 }

@@ -16,6 +16,7 @@
 #include "brachisto/model/kinematics.hpp"
 #include "brachisto/model/scene.hpp"
 #include "model/field.hpp"
+#include "model/moving.hpp"
 #include "model/path_inequality.hpp"
 #include "support/scenes.hpp"
 
@@ -24,7 +25,7 @@ namespace {
 
 using namespace testing;
 
-constexpr double kRounding = 1e-14;
+constexpr double kGeometryRounding = 1e-14;
 
 Ball on_thin_rails(double R, double gauge) {
   return {.radius = R, .k = 0.4, .gauge = gauge};
@@ -40,10 +41,10 @@ Ball in_a_groove(double R, double angle) {
 TEST(BallOnThinRails, RollsOnItsDistanceFromTheirEdges) {
   const Body body = Body::rolling_ball(on_thin_rails(0.0125, 0.015), 0.3);
 
-  EXPECT_NEAR(body.radius, 0.01, kRounding);
-  EXPECT_NEAR(body.k, 0.625, kRounding);
-  EXPECT_NEAR(body.wall_ratio, 1.25, kRounding);
-  EXPECT_NEAR(body.outer_radius(), 0.0125, kRounding);
+  EXPECT_NEAR(body.radius, 0.01, kGeometryRounding);
+  EXPECT_NEAR(body.k, 0.625, kGeometryRounding);
+  EXPECT_NEAR(body.wall_ratio, 1.25, kGeometryRounding);
+  EXPECT_NEAR(body.outer_radius(), 0.0125, kGeometryRounding);
   EXPECT_EQ(body.folding_distance(), body.radius);
   EXPECT_EQ(body.theta_m, 0.3);
   EXPECT_TRUE(body.rolls());
@@ -58,11 +59,12 @@ TEST(BallOnRoundRails, TouchesThemOnTheWayToTheirAxes) {
 
   const Ball ball = on_round_rails(R, gauge, rho);
 
-  EXPECT_NEAR(ball.rolling_radius(), contact.y(), kRounding);
-  EXPECT_NEAR(ball.folding_distance(), axis.y(), kRounding);
+  EXPECT_NEAR(ball.rolling_radius(), contact.y(), kGeometryRounding);
+  EXPECT_NEAR(ball.folding_distance(), axis.y(), kGeometryRounding);
   // Thin rails where the contacts are do the same.
   EXPECT_NEAR(ball.rolling_radius(),
-              on_thin_rails(R, 2.0 * contact.x()).rolling_radius(), kRounding);
+              on_thin_rails(R, 2.0 * contact.x()).rolling_radius(),
+              kGeometryRounding);
 }
 
 /// The contact is the foot of the perpendicular on a wall.
@@ -75,8 +77,8 @@ TEST(BallInAGroove, TouchesItsWallsAtTheFeetOfPerpendiculars) {
 
   const Eigen::Vector2d foot = at_bottom - at_bottom.dot(wall) * wall;
 
-  EXPECT_NEAR(foot.norm(), R, kRounding);
-  EXPECT_NEAR(ball.rolling_radius(), foot.y(), kRounding);
+  EXPECT_NEAR(foot.norm(), R, kGeometryRounding);
+  EXPECT_NEAR(ball.rolling_radius(), foot.y(), kGeometryRounding);
 }
 
 TEST(BallOnAPlainTrack, IsACylinderOfItsRadius) {
@@ -87,12 +89,8 @@ TEST(BallOnAPlainTrack, IsACylinderOfItsRadius) {
   EXPECT_EQ(body.wall_ratio, 1.0);
 }
 
-struct Moving {
-  double theta, beta, v, turning;  ///< dβ/dt
-};
-
 /// Each wall's forces, per mass.
-struct Laws {
+struct LawsInSpace {
   double v_dot, across, along;
 };
 
@@ -101,7 +99,7 @@ struct Laws {
 /// with N each along −n_i and grip with T each along t. A wall resists rolling
 /// with the moment c R N, as a plane does the ball that rolls on it, along the
 /// part of the rotation in its own plane, y − (y·n_i) n_i.
-Laws by_laws(const Scene& scene, const Moving& at) {
+LawsInSpace by_laws_in_space(const Scene& scene, const Moving& at) {
   using Vector = Eigen::Vector3d;
   const Ball& ball = *scene.body.ball;
   const double R = ball.radius, r_m = R * ball.eta_m;
@@ -172,11 +170,11 @@ TEST(ForcesOnABall, AreThoseOfTheLawsWithTwoContacts) {
     Scene scene = scene_of(Body::rolling_ball(ball, 0.0));
     scene.world.losses.rolling = in(0.0, 0.1);
     const Moving at{in(-9.0, 9.0), in(-3.0, 3.0), in(0.2, 3.0), in(-5.0, 5.0)};
-    const double root = root_of_inertia(scene, at.theta, at.beta);
+    const TurningPoint<double> state = state_of(scene, at);
 
-    const Laws laws = by_laws(scene, at);
+    const LawsInSpace laws = by_laws_in_space(scene, at);
     const Kinematics motion = kinematics(
-        scene, {{0.0, 0.0}, at.theta, at.beta, at.v * root, at.turning * root});
+        scene, {{0.0, 0.0}, state.theta, state.beta, state.w, state.q});
 
     const double scale = 1.0 + std::abs(laws.across) + std::abs(laws.along);
     const double g = scene.gravity;
@@ -188,8 +186,6 @@ TEST(ForcesOnABall, AreThoseOfTheLawsWithTwoContacts) {
     // |T| ≤ μ N at each of them.
     Scene gripped = scene;
     gripped.limits.friction = 0.3;
-    const TurningPoint<double> state{0.0,         0.0,     at.theta,
-                                     at.v * root, at.beta, at.turning * root};
     const auto limits = inequalities(gripped.body, gripped.limits);
     EXPECT_NEAR(g * value_of(limits[0], gripped, state),
                 2.0 * (0.3 * laws.across - laws.along), kOfSums * scale);
@@ -209,9 +205,10 @@ TEST(BallInAGroove, FoldsItsBottomFirst) {
     const Kinematics motion =
         kinematics(body, 9.81, {{0.0, 0.0}, 0.0, 0.4, w, w / radius});
 
-    EXPECT_NEAR(motion.fold_margin, (radius - bottom) / radius, kRounding);
+    EXPECT_NEAR(motion.fold_margin, (radius - bottom) / radius,
+                kGeometryRounding);
     EXPECT_NEAR(motion.kappa_b, 1.0 / (radius - body.radius),
-                kRounding * std::abs(motion.kappa_b) * 10.0);
+                kGeometryRounding * std::abs(motion.kappa_b) * 10.0);
     EXPECT_NEAR(curvature_of_centre(body, motion), 1.0 / radius, 1e-13);
   }
   PathLimits limits;
@@ -230,9 +227,11 @@ TEST(ObstaclesOfABall, SeeAllOfIt) {
   const auto limits = inequalities(body, scene.limits);
 
   ASSERT_EQ(limits.size(), 3u);
-  EXPECT_NEAR(value_of(limits[0], scene, at), 2.0 - 0.5 - 1.5, kRounding);
-  EXPECT_NEAR(value_of(limits[1], scene, at), 1.5 - 0.2 - 0.5, kRounding);
-  EXPECT_NEAR(value_of(limits[2], scene, at), 1.0 - 0.5, kRounding);
+  EXPECT_NEAR(value_of(limits[0], scene, at), 2.0 - 0.5 - 1.5,
+              kGeometryRounding);
+  EXPECT_NEAR(value_of(limits[1], scene, at), 1.5 - 0.2 - 0.5,
+              kGeometryRounding);
+  EXPECT_NEAR(value_of(limits[2], scene, at), 1.0 - 0.5, kGeometryRounding);
 }
 
 TEST(NumbersOfABall, GoThereAndBack) {

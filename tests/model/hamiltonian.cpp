@@ -19,7 +19,7 @@
 namespace brachisto::testing {
 namespace {
 
-using Jet = math::Jet2<double, 1>;
+using SlopeJet = math::Jet2<double, 1>;
 
 /// 𝓗 written out as √A + p·f, A as in the paper.
 template <class Scalar>
@@ -41,15 +41,15 @@ Scalar literal_hamiltonian(const Body& body, double gravity,
 
 /// A moving body somewhere, with costates of order one; k ≥ 0.05 keeps A away
 /// from zero, so that derivatives of √A are below 20.
-struct Sample {
+struct CostateSample {
   Body body;
   double gravity;
   RollingState state;
   Costates p;
 };
 
-Sample random_sample(Random& random) {
-  Sample sample;
+CostateSample random_costate_sample(Random& random) {
+  CostateSample sample;
   sample.body = random_cylinder(random, 0.9);
   sample.body.k = std::max(sample.body.k, 0.05);
   sample.gravity = random.uniform(0.5, 2.0);
@@ -63,14 +63,14 @@ TEST(SlopeHamiltonian, HasTheDerivativesThatJetsHave) {
   constexpr std::uint32_t kSeed = 1;
   Random random(kSeed);
   for (int i = 0; i < 500; ++i) {
-    const Sample s = random_sample(random);
+    const CostateSample s = random_costate_sample(random);
     const double beta = random.uniform(-kPi, kPi);
 
     const SlopeHamiltonian h =
         slope_hamiltonian(s.body, s.gravity, s.state, s.p, beta);
 
-    const Jet exact = literal_hamiltonian(s.body, s.gravity, s.state, s.p,
-                                          Jet::variable(beta, 0));
+    const SlopeJet exact = literal_hamiltonian(s.body, s.gravity, s.state, s.p,
+                                               SlopeJet::variable(beta, 0));
     // Terms below 20, a rounding of A enters the second derivative as
     // 3/(4 A^{5/2}) η² < 20 at worst where A is smallest, 0.06.
     EXPECT_NEAR(h.d_beta, exact.gradient[0], ulps(32.0, 20.0))
@@ -84,7 +84,7 @@ TEST(Hamiltonian, IsTheRootOfAPlusTheCostatesTimesTheRates) {
   constexpr std::uint32_t kSeed = 2;
   Random random(kSeed);
   for (int i = 0; i < 500; ++i) {
-    Sample s = random_sample(random);
+    CostateSample s = random_costate_sample(random);
     if (i % 5 == 0) s.body = Body::bead();
     const double beta = random.uniform(-kPi, kPi);
 
@@ -103,7 +103,7 @@ TEST(MinimisingSlope, OfACentredBodyPointsAgainstThePullOfTheCostates) {
   constexpr std::uint32_t kSeed = 3;
   Random random(kSeed);
   for (int i = 0; i < 200; ++i) {
-    Sample s = random_sample(random);
+    CostateSample s = random_costate_sample(random);
     s.body.eta_m = 0.0;
     const double P = s.state.w * s.p.p_x;
     const double Q = s.state.w * s.p.p_z + s.gravity * s.p.p_w;
@@ -126,7 +126,7 @@ TEST(MinimisingSlope, FindsTheMinimumOfTheValleyItStartsIn) {
   constexpr int kDirections = 2000;
   Random random(kSeed);
   for (int i = 0; i < 100; ++i) {
-    const Sample s = random_sample(random);
+    const CostateSample s = random_costate_sample(random);
     const auto h = [&](double beta) {
       return literal_hamiltonian(s.body, s.gravity, s.state, s.p, beta);
     };
@@ -164,14 +164,14 @@ struct BruteForce {
   double resolution;
 };
 
-BruteForce brute_force(const Sample& s) {
+BruteForce brute_force(const CostateSample& s) {
   constexpr int kDirections = 64 * 1000;
   BruteForce out{std::numeric_limits<double>::infinity(), 0.0, 0.0};
   double steepest = 0.0;
   for (int d = 0; d < kDirections; ++d) {
     const double beta = 2.0 * kPi * d / kDirections;
-    const Jet h = literal_hamiltonian(s.body, s.gravity, s.state, s.p,
-                                      Jet::variable(beta, 0));
+    const SlopeJet h = literal_hamiltonian(s.body, s.gravity, s.state, s.p,
+                                           SlopeJet::variable(beta, 0));
     if (h.value < out.minimum) {
       out.minimum = h.value;
       out.minimiser = beta;
@@ -183,7 +183,7 @@ BruteForce brute_force(const Sample& s) {
   return out;
 }
 
-double root_of_A(const Sample& s, double beta) {
+double root_of_A(const CostateSample& s, double beta) {
   const double eta = s.body.eta_m;
   return std::sqrt(1.0 + eta * eta + s.body.k -
                    2.0 * eta * std::sin(s.state.theta - beta));
@@ -193,7 +193,7 @@ TEST(GainOfOtherDirections, IsNoneAtTheGlobalMinimum) {
   constexpr std::uint32_t kSeed = 7;
   Random random(kSeed);
   for (int i = 0; i < 30; ++i) {
-    const Sample s = random_sample(random);
+    const CostateSample s = random_costate_sample(random);
     const BruteForce best = brute_force(s);
 
     const double gain = gain_of_other_directions(s.body, s.gravity, s.state,
@@ -212,7 +212,7 @@ TEST(GainOfOtherDirections, IsWhatTheBestOfThemSaves) {
   int positive = 0;
   int beyond_a_local_minimum = 0;
   for (int i = 0; i < 60; ++i) {
-    const Sample s = random_sample(random);
+    const CostateSample s = random_costate_sample(random);
     const BruteForce best = brute_force(s);
     const auto h = [&](double beta) {
       return literal_hamiltonian(s.body, s.gravity, s.state, s.p, beta);
@@ -298,7 +298,7 @@ TEST(SlopeRate, IsThatOfTheMinimisingSlopeAlongTheCanonicalFlow) {
   Random random(kSeed);
   int measured = 0;
   for (int i = 0; i < 50; ++i) {
-    const Sample s = random_sample(random);
+    const CostateSample s = random_costate_sample(random);
     const double g = s.gravity;
     const double r = s.body.radius;
     // The costates of an extremal make 𝓗 pull hard: a deep valley.

@@ -81,14 +81,14 @@ class CircularMotion {
   Wide kappa_;
 };
 
-struct Sample {
+struct MotionSample {
   Body body;
   double gravity;
   PathState state;
 };
 
-Sample random_sample(Random& random) {
-  Sample sample;
+MotionSample random_motion_sample(Random& random) {
+  MotionSample sample;
   sample.body = random_cylinder(random, 0.9);
   sample.body.k = std::max(sample.body.k, 0.05);
   sample.gravity = random.uniform(0.5, 10.0);
@@ -102,7 +102,7 @@ Sample random_sample(Random& random) {
 
 /// Forces are sums of terms of this size; A, of which a rounding is up to six
 /// times as large relative to it (η ≤ 0.9, k ≥ 0.05), divides them twice.
-double force_rounding(const Sample& s) {
+double force_rounding(const MotionSample& s) {
   const double A = inertia_factor(s.body, s.state.theta, s.state.beta);
   const double rates =
       s.state.w * (s.state.w / s.body.radius + std::abs(s.state.beta_rate));
@@ -113,7 +113,7 @@ TEST(Kinematics, ForcesAccelerateTheCentreOfMass) {
   constexpr std::uint32_t kSeed = 1;
   Random random(kSeed);
   for (int i = 0; i < 300; ++i) {
-    const Sample s = random_sample(random);
+    const MotionSample s = random_motion_sample(random);
 
     const Kinematics motion = kinematics(s.body, s.gravity, s.state);
 
@@ -137,7 +137,7 @@ TEST(Kinematics, ForcesTurnTheBodyAboutItsCentreOfMass) {
   constexpr std::uint32_t kSeed = 2;
   Random random(kSeed);
   for (int i = 0; i < 300; ++i) {
-    const Sample s = random_sample(random);
+    const MotionSample s = random_motion_sample(random);
 
     const Kinematics motion = kinematics(s.body, s.gravity, s.state);
 
@@ -161,7 +161,7 @@ TEST(Kinematics, SpeedsAndCurvaturesFollowFromThePath) {
   constexpr std::uint32_t kSeed = 3;
   Random random(kSeed);
   for (int i = 0; i < 300; ++i) {
-    const Sample s = random_sample(random);
+    const MotionSample s = random_motion_sample(random);
 
     const Kinematics motion = kinematics(s.body, s.gravity, s.state);
 
@@ -278,7 +278,7 @@ TEST(Kinematics, OfABeadAreThoseOfAPoint) {
 
 TEST(Kinematics, ForcesDoNotDependOnUnits) {
   Random random(5);
-  const Sample s = random_sample(random);
+  const MotionSample s = random_motion_sample(random);
   const double length = 0.01, time = 7.0;  // new units, in old ones
   Body body = s.body;
   body.radius /= length;

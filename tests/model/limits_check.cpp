@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "support/numbers.hpp"
 #include "support/scenes.hpp"
 
 namespace brachisto::testing {
@@ -77,8 +78,6 @@ TEST_P(AskedLimits, AreTakenOrRefusedWithTheReason) {
   EXPECT_EQ(errors[0].key, GetParam().key);
   EXPECT_THAT(errors[0].message, HasSubstr(GetParam().message));
 }
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 INSTANTIATE_TEST_SUITE_P(
     Numbers, AskedLimits,

@@ -16,6 +16,7 @@
 #include "brachisto/math/jet.hpp"
 #include "brachisto/model/kinematics.hpp"
 #include "model/contact.hpp"
+#include "model/moving.hpp"
 #include "model/path_inequality.hpp"
 #include "model/start_angle.hpp"
 #include "support/world_scenes.hpp"
@@ -27,11 +28,7 @@ using namespace testing;
 
 constexpr int kPoints = 200;
 /// Of sums of a dozen terms of order one to a hundred.
-constexpr double kRounding = 1e-12;
-
-struct Moving {
-  double theta, beta, v, turning;  ///< dβ/dt
-};
+constexpr double kForceRounding = 1e-12;
 
 /// v̇, R_n and R_t by the laws alone: forces on the centre of mass along and
 /// across the track, and moments about it. With t along the motion and n from
@@ -102,12 +99,6 @@ class LossesOf : public ::testing::TestWithParam<const char*> {
   [[nodiscard]] Moving place() {
     return {in(-9.0, 9.0), in(-3.0, 3.0), in(0.2, 6.0), in(-8.0, 8.0)};
   }
-  /// The state W and its q = dβ/du at a place.
-  [[nodiscard]] static TurningPoint<double> state_of(const Scene& scene,
-                                                     const Moving& at) {
-    const double root = root_of_inertia(scene, at.theta, at.beta);
-    return {0.0, 0.0, at.theta, at.v * root, at.beta, at.turning * root};
-  }
 
  private:
   double in(double from, double to) {
@@ -129,11 +120,11 @@ TEST_P(LossesOf, LeaveTheForcesThatTheLawsHave) {
         scene, {{0.0, 0.0}, state.theta, state.beta, state.w, state.q});
 
     const double scale = 1.0 + std::abs(laws.R_n) + std::abs(laws.R_t);
-    EXPECT_NEAR(motion.v_c, at.v, kRounding * at.v);
-    EXPECT_NEAR(g * force.normal, laws.R_n, kRounding * scale);
-    EXPECT_NEAR(g * force.tangential, laws.R_t, kRounding * scale);
-    EXPECT_NEAR(g * motion.R_n, laws.R_n, kRounding * scale);
-    EXPECT_NEAR(g * motion.R_t, laws.R_t, kRounding * scale);
+    EXPECT_NEAR(motion.v_c, at.v, kForceRounding * at.v);
+    EXPECT_NEAR(g * force.normal, laws.R_n, kForceRounding * scale);
+    EXPECT_NEAR(g * force.tangential, laws.R_t, kForceRounding * scale);
+    EXPECT_NEAR(g * motion.R_n, laws.R_n, kForceRounding * scale);
+    EXPECT_NEAR(g * motion.R_t, laws.R_t, kForceRounding * scale);
   }
 }
 
@@ -156,8 +147,9 @@ TEST_P(LossesOf, SlowAsTheLawsHaveItHoweverTheSlopeTurns) {
     const double v_dot = (W_dot - at.v * root_dot) / root;
 
     const Laws laws = by_laws(scene, at);
-    EXPECT_NEAR(v_dot, laws.v_dot,
-                kRounding * (1.0 + std::abs(laws.v_dot) + std::abs(laws.R_n)));
+    EXPECT_NEAR(
+        v_dot, laws.v_dot,
+        kForceRounding * (1.0 + std::abs(laws.v_dot) + std::abs(laws.R_n)));
   }
 }
 

@@ -6,21 +6,20 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <vector>
 
+#include "support/numbers.hpp"
 #include "support/random_points.hpp"
 #include "support/rounding.hpp"
 
 namespace brachisto {
 namespace {
 
+using testing::kPi;
 using testing::Random;
 using testing::ulps;
 using testing::Wide;
-
-constexpr double kPi = std::numbers::pi;
 
 Point polar(double distance, double angle) {
   return {distance * std::cos(angle), distance * std::sin(angle)};
@@ -57,15 +56,16 @@ std::vector<MassPart> random_parts(Random& random) {
 }
 
 // Closed forms. A handful of roundings each, none larger than 1.
-const double kRounding = ulps(8.0);
+const double kClosedFormRounding = ulps(8.0);
 
 TEST(MassProperties, OfADiscARingAndARodAreThoseOfTextbooks) {
   const double r = 0.077;
-  EXPECT_NEAR(of({MassPart::disc(3.0, {}, r)}, r).k, 0.5, kRounding);
-  EXPECT_NEAR(of({MassPart::ring(3.0, {}, r)}, r).k, 1.0, kRounding);
+  EXPECT_NEAR(of({MassPart::disc(3.0, {}, r)}, r).k, 0.5, kClosedFormRounding);
+  EXPECT_NEAR(of({MassPart::ring(3.0, {}, r)}, r).k, 1.0, kClosedFormRounding);
   EXPECT_NEAR(of({MassPart::rod(3.0, {-r, 0}, {r, 0})}, r).k, 1.0 / 3.0,
-              kRounding);
-  EXPECT_NEAR(of({MassPart::disc(1.0, {}, r, 0.5 * r)}, r).k, 0.625, kRounding);
+              kClosedFormRounding);
+  EXPECT_NEAR(of({MassPart::disc(1.0, {}, r, 0.5 * r)}, r).k, 0.625,
+              kClosedFormRounding);
 }
 
 TEST(MassProperties, OfARingWithAMassOnTheRimReachTheLargestK) {
@@ -75,9 +75,9 @@ TEST(MassProperties, OfARingWithAMassOnTheRimReachTheLargestK) {
       {MassPart::ring(2.0, {}, 1.0), MassPart::point(1.0, polar(1.0, angle))});
 
   EXPECT_EQ(found.mass, 3.0);
-  EXPECT_NEAR(found.eta_m, 1.0 / 3.0, kRounding);
-  EXPECT_NEAR(found.theta_m, angle, kRounding);
-  EXPECT_NEAR(found.k, 8.0 / 9.0, kRounding);
+  EXPECT_NEAR(found.eta_m, 1.0 / 3.0, kClosedFormRounding);
+  EXPECT_NEAR(found.theta_m, angle, kClosedFormRounding);
+  EXPECT_NEAR(found.k, 8.0 / 9.0, kClosedFormRounding);
   EXPECT_LE(found.k, found.largest_k());
 }
 
@@ -93,16 +93,16 @@ TEST(MassProperties, OfPointsOnAHalfRingApproachThoseOfTheHalfRing) {
     const MassProperties found = of(parts);
 
     const double eta = 1.0 / (n * std::sin(0.5 * kPi / n));
-    EXPECT_NEAR(found.eta_m, eta, kRounding);
-    EXPECT_NEAR(found.theta_m, 0.5 * kPi, kRounding);
-    EXPECT_NEAR(found.k, 1.0 - eta * eta, 2.0 * kRounding);
+    EXPECT_NEAR(found.eta_m, eta, kClosedFormRounding);
+    EXPECT_NEAR(found.theta_m, 0.5 * kPi, kClosedFormRounding);
+    EXPECT_NEAR(found.k, 1.0 - eta * eta, 2.0 * kClosedFormRounding);
     EXPECT_NEAR(found.eta_m, 2.0 / kPi, 1.0 / (n * n));
   }
 }
 
 TEST(MassProperties, MeasureTheAngleDownwards) {
   EXPECT_NEAR(of({MassPart::point(1.0, {0.0, 0.5})}).theta_m, 0.5 * kPi,
-              kRounding);
+              kClosedFormRounding);
 }
 
 TEST(MassProperties, OfOpposedMassesHaveNoOffset) {
@@ -144,14 +144,14 @@ TEST(MassProperties, ReachTheBoundIffAllMassIsOnTheRim) {
                                       polar(1.0, random.uniform(-kPi, kPi))));
     }
     const MassProperties rim = of(parts);
-    EXPECT_NEAR(rim.k, rim.largest_k(), kRounding);
+    EXPECT_NEAR(rim.k, rim.largest_k(), kClosedFormRounding);
 
     // A share s of the mass at half the radius lacks s (1 − 1/4).
     const double mass = random.uniform(0.1, 3.0);
     parts.push_back(MassPart::point(mass, polar(0.5, 1.0)));
     const MassProperties inside = of(parts);
     EXPECT_NEAR(inside.largest_k() - inside.k, 0.75 * mass / inside.mass,
-                kRounding);
+                kClosedFormRounding);
   }
 }
 
@@ -169,8 +169,8 @@ TEST(MassProperties, OfAPartMadeOfPartsAreThoseOfAllOfThem) {
     const MassProperties one = of(all), other = of(nested);
 
     EXPECT_NEAR(one.mass, other.mass, ulps(8.0, one.mass));
-    EXPECT_NEAR(one.eta_m, other.eta_m, kRounding);
-    EXPECT_NEAR(one.k, other.k, 2.0 * kRounding);
+    EXPECT_NEAR(one.eta_m, other.eta_m, kClosedFormRounding);
+    EXPECT_NEAR(one.k, other.k, 2.0 * kClosedFormRounding);
   }
 }
 
@@ -192,11 +192,11 @@ TEST(MassProperties, TurnWithTheBodyAndDoNotDependOnUnits) {
 
     const MassProperties one = of(parts), other = of(turned, unit);
 
-    EXPECT_NEAR(one.eta_m, other.eta_m, kRounding);
-    EXPECT_NEAR(one.k, other.k, 2.0 * kRounding);
+    EXPECT_NEAR(one.eta_m, other.eta_m, kClosedFormRounding);
+    EXPECT_NEAR(one.k, other.k, 2.0 * kClosedFormRounding);
     // Rounding of places turns a direction the more, the shorter the offset.
     EXPECT_NEAR(std::remainder(other.theta_m - one.theta_m - turn, 2.0 * kPi),
-                0.0, kRounding * (1.0 + 1.0 / one.eta_m));
+                0.0, kClosedFormRounding * (1.0 + 1.0 / one.eta_m));
   }
 }
 

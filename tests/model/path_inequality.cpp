@@ -39,7 +39,7 @@ Kinematics motion_at(const Body& body, double gravity,
       {{place.x, place.z}, place.theta, place.beta, place.w, place.q});
 }
 
-Scene scene_of(const Body& body, double gravity) {
+Scene scene_with_gravity(const Body& body, double gravity) {
   Scene scene;
   scene.body = body;
   scene.gravity = gravity;
@@ -62,7 +62,7 @@ TEST(ContactForceOfATurningPoint, IsThatOfTheKinematics) {
     const double g = random.uniform(0.5, 10.0);
     const TurningPoint<double> place = random_place(random);
 
-    const auto force = contact_force(scene_of(body, g), place);
+    const auto force = contact_force(scene_with_gravity(body, g), place);
     const Kinematics expected = motion_at(body, g, place);
 
     const double allowed = rounding(body, g, place);
@@ -78,7 +78,7 @@ TEST(ContactForceOfATurningPoint, OfABeadAndAUniformCylinderIsThatToo) {
       const double g = random.uniform(0.5, 10.0);
       const TurningPoint<double> place = random_place(random);
 
-      const auto force = contact_force(scene_of(body, g), place);
+      const auto force = contact_force(scene_with_gravity(body, g), place);
       const Kinematics expected = motion_at(body, g, place);
 
       const double allowed = ulps(16.0, 1.0 + place.w * std::abs(place.q) / g);
@@ -102,10 +102,10 @@ TEST(ContactForceOfATurningPoint, IsAffineInTheControl) {
     const double A = inertia_factor(body, place.theta, place.beta);
     const double per = -place.w / (A * A * g);
 
-    const auto there = contact_force(scene_of(body, g), place);
+    const auto there = contact_force(scene_with_gravity(body, g), place);
     const double allowed = 2.0 * rounding(body, g, place);
     place.q = 0.0;
-    const auto here = contact_force(scene_of(body, g), place);
+    const auto here = contact_force(scene_with_gravity(body, g), place);
 
     EXPECT_NEAR(there.normal - here.normal, q * per * (q_hat * q_hat + body.k),
                 allowed);
@@ -147,13 +147,13 @@ TEST(ValueOfALimit, IsItsDistanceFromTheBound) {
 
   ASSERT_EQ(all.size(), std::size(expected));
   for (std::size_t i = 0; i < all.size(); ++i) {
-    EXPECT_NEAR(value_of(all[i], scene_of(body, g), place), expected[i],
-                ulps(64.0, 8.0))
+    EXPECT_NEAR(value_of(all[i], scene_with_gravity(body, g), place),
+                expected[i], ulps(64.0, 8.0))
         << name(all[i].kind) << " " << i;
   }
 }
 
-using Jet = math::Jet2<double, 6>;
+using PlaceJet = math::Jet2<double, 6>;
 
 /// x, z, θ, w, β, q.
 std::array<double, 6> random_values(Random& random) {
@@ -162,10 +162,10 @@ std::array<double, 6> random_values(Random& random) {
           random.uniform(-2.0, 2.0), random.uniform(-2.0, 2.0)};
 }
 
-TurningPoint<Jet> variables_at(const std::array<double, 6>& x) {
-  return {Jet::variable(x[0], 0), Jet::variable(x[1], 1),
-          Jet::variable(x[2], 2), Jet::variable(x[3], 3),
-          Jet::variable(x[4], 4), Jet::variable(x[5], 5)};
+TurningPoint<PlaceJet> variables_at(const std::array<double, 6>& x) {
+  return {PlaceJet::variable(x[0], 0), PlaceJet::variable(x[1], 1),
+          PlaceJet::variable(x[2], 2), PlaceJet::variable(x[3], 3),
+          PlaceJet::variable(x[4], 4), PlaceJet::variable(x[5], 5)};
 }
 
 /// What first and second derivatives by jets leave at a distance h falls as h³.
@@ -178,19 +178,21 @@ TEST(ValueOfALimit, HasTheDerivativesOfItsJets) {
       const std::array<double, 6> x = random_values(random);
       const std::vector<double> d = random.vector(6, -1.0, 1.0);
       const auto at_distance = [&](double h) {
-        return value_of(limit, scene_of(body, g),
+        return value_of(limit, scene_with_gravity(body, g),
                         TurningPoint<double>{x[0] + h * d[0], x[1] + h * d[1],
                                              x[2] + h * d[2], x[3] + h * d[3],
                                              x[4] + h * d[4], x[5] + h * d[5]});
       };
-      const Jet jet = value_of(limit, scene_of(body, g), variables_at(x));
+      const PlaceJet jet =
+          value_of(limit, scene_with_gravity(body, g), variables_at(x));
       double first = 0.0, second = 0.0;
       for (int a = 0; a < 6; ++a) {
         const auto u = static_cast<std::size_t>(a);
         first += jet.gradient[u] * d[u];
         for (int b = 0; b < 6; ++b) {
-          second += jet.hessian[Jet::pair(std::max(a, b), std::min(a, b))] *
-                    d[u] * d[static_cast<std::size_t>(b)];
+          second +=
+              jet.hessian[PlaceJet::pair(std::max(a, b), std::min(a, b))] *
+              d[u] * d[static_cast<std::size_t>(b)];
         }
       }
       EXPECT_DOUBLE_EQ(jet.value, at_distance(0.0));
@@ -210,7 +212,7 @@ math::Dependence<6> on_which_depends(const PathInequality& limit,
                                      const Body& b) {
   using On = math::Dependence<6>;
   return value_of(
-      limit, scene_of(b, 2.0),
+      limit, scene_with_gravity(b, 2.0),
       TurningPoint<On>{On::variable(0), On::variable(1), On::variable(2),
                        On::variable(3), On::variable(4), On::variable(5)});
 }
@@ -221,8 +223,8 @@ TEST(DependenceOfALimit, IsWhatItsJetsHaveDerivativesBy) {
   for (const Body& b : {body, Body::cylinder(0.25, 0.0, 0.0, 0.4)}) {
     for (const PathInequality& limit : all) {
       Random random(5);
-      const Jet jet = value_of(limit, scene_of(b, 2.0),
-                               variables_at(random_values(random)));
+      const PlaceJet jet = value_of(limit, scene_with_gravity(b, 2.0),
+                                    variables_at(random_values(random)));
       const math::Dependence<6> on = on_which_depends(limit, b);
       for (int k = 0; k < 6; ++k) {
         const auto u = static_cast<std::size_t>(k);
@@ -230,7 +232,7 @@ TEST(DependenceOfALimit, IsWhatItsJetsHaveDerivativesBy) {
             << name(limit.kind) << " by " << k;
         for (int l = 0; l <= k; ++l) {
           EXPECT_EQ(on.second[u][static_cast<std::size_t>(l)],
-                    jet.hessian[Jet::pair(k, l)] != 0.0)
+                    jet.hessian[PlaceJet::pair(k, l)] != 0.0)
               << name(limit.kind) << " by " << k << " and " << l;
         }
       }
@@ -268,14 +270,14 @@ TEST(WorstExcess, NamesTheLimitAndItsSide) {
   light.q = 1.0;
   deep.z = 7.0;
 
-  EXPECT_LE(worst_excess(all, scene_of(bead, 2.0), level).value, 0.0);
-  EXPECT_NEAR(worst_excess(all, scene_of(bead, 2.0), heavy).value, 1.0,
-              ulps(4.0, 4.0));
-  EXPECT_TRUE(worst_excess(all, scene_of(bead, 2.0), heavy).above);
-  EXPECT_EQ(worst_excess(all, scene_of(bead, 4.0), light).limit, 0);
-  EXPECT_FALSE(worst_excess(all, scene_of(bead, 4.0), light).above);
-  EXPECT_EQ(worst_excess(all, scene_of(bead, 2.0), deep).limit, 1);
-  EXPECT_NEAR(worst_excess(all, scene_of(bead, 2.0), deep).value, 4.0,
+  EXPECT_LE(worst_excess(all, scene_with_gravity(bead, 2.0), level).value, 0.0);
+  EXPECT_NEAR(worst_excess(all, scene_with_gravity(bead, 2.0), heavy).value,
+              1.0, ulps(4.0, 4.0));
+  EXPECT_TRUE(worst_excess(all, scene_with_gravity(bead, 2.0), heavy).above);
+  EXPECT_EQ(worst_excess(all, scene_with_gravity(bead, 4.0), light).limit, 0);
+  EXPECT_FALSE(worst_excess(all, scene_with_gravity(bead, 4.0), light).above);
+  EXPECT_EQ(worst_excess(all, scene_with_gravity(bead, 2.0), deep).limit, 1);
+  EXPECT_NEAR(worst_excess(all, scene_with_gravity(bead, 2.0), deep).value, 4.0,
               ulps(4.0, 4.0));
 }
 

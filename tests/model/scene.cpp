@@ -12,12 +12,12 @@
 #include <string>
 #include <vector>
 
+#include "support/numbers.hpp"
 #include "support/scenes.hpp"
 
 namespace brachisto::testing {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// One way to spoil a good scene, and what is to be said about it.

@@ -17,7 +17,7 @@ namespace {
 constexpr double kGravity = 9.81;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-Scene scene_of(const Body& body) {
+Scene scene_with_only(const Body& body) {
   Scene scene;
   scene.body = body;
   return scene;
@@ -96,19 +96,20 @@ TEST(StartLimits, OnAnInclineAreThoseOfAWeightOnIt) {
   const double A = 1.0 + 0.64 + 0.1 + 1.6 * std::sin(beta);
   const double a = std::sin(beta) + 0.8;
 
-  EXPECT_NEAR(start_limits_of_curvature(scene_of(uniform), leaving(beta), 0.0)
-                  .normal_force,
-              std::cos(beta), 1e-15);
   EXPECT_NEAR(
-      start_limits_of_curvature(scene_of(heavy_in_front), leaving(beta), 0.0)
+      start_limits_of_curvature(scene_with_only(uniform), leaving(beta), 0.0)
           .normal_force,
-      std::cos(beta) - 0.8 * std::cos(beta) * a / A, 1e-15);
+      std::cos(beta), 1e-15);
+  EXPECT_NEAR(start_limits_of_curvature(scene_with_only(heavy_in_front),
+                                        leaving(beta), 0.0)
+                  .normal_force,
+              std::cos(beta) - 0.8 * std::cos(beta) * a / A, 1e-15);
 }
 
 TEST(StartLimits, WithAFiniteCurvatureTheTrackIsAParallelCurve) {
   // A path of radius 2 m about a hump, the track below of radius 1.5 m.
   const StartLimits limits = start_limits_of_curvature(
-      scene_of(Body::cylinder(0.5, 0.0, 0.0, 0.5)), leaving(0.3), 0.5);
+      scene_with_only(Body::cylinder(0.5, 0.0, 0.0, 0.5)), leaving(0.3), 0.5);
 
   EXPECT_DOUBLE_EQ(limits.fold_margin, 0.75);
   EXPECT_DOUBLE_EQ(limits.curvature, 1.0 / 1.5);

@@ -8,13 +8,13 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include "brachisto/nlp/problem.hpp"
 #include "nlp/active_set.hpp"
 #include "nlp/tiny_problem.hpp"
 #include "solvers/inequality_problems.hpp"
+#include "support/numbers.hpp"
 
 namespace brachisto::testing {
 namespace {
@@ -22,8 +22,6 @@ namespace {
 using nlp::Held;
 using nlp::kkt_residual;
 using nlp::KktResidual;
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// minimise (x₀ − 2)² + (x₁ + 1)² subject to 0 ≤ x₀ + x₁ ≤ 1, x₀ ≤ 5,
 /// 0 ≤ x₁ ≤ 3. At the solution (1, 0) ∇f = (−2, 2): λ = 2, z_l = (0, 4).

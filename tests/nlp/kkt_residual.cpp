@@ -7,10 +7,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include "nlp/tiny_problem.hpp"
+#include "support/numbers.hpp"
 
 namespace brachisto::testing {
 namespace {
@@ -18,16 +18,15 @@ namespace {
 using nlp::kkt_residual;
 using nlp::KktResidual;
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
 // 2 x_i + λ_0 + λ_1 x_j = 0 at x = (1, 1): any λ_0 + λ_1 = −2 will do.
-const std::vector<double> kSolution{1.0, 1.0, 2.0};
-const std::vector<double> kMultipliers{-0.5, -1.5};
+const std::vector<double> kTinySolution{1.0, 1.0, 2.0};
+const std::vector<double> kTinyMultipliers{-0.5, -1.5};
 
 TEST(KktResidual, VanishesAtASolution) {
   TinyProblem problem;
 
-  const KktResidual residual = kkt_residual(problem, {kSolution, kMultipliers});
+  const KktResidual residual =
+      kkt_residual(problem, {kTinySolution, kTinyMultipliers});
 
   EXPECT_EQ(residual.stationarity, 0.0);
   EXPECT_EQ(residual.infeasibility, 0.0);
@@ -63,7 +62,7 @@ TEST(KktResidual, AsksAFixedVariableForItsValueOnly) {
   TinyProblem problem;
   const std::vector<double> x{1.0, 1.0, 2.0 + 0.125};
 
-  const KktResidual residual = kkt_residual(problem, {x, kMultipliers});
+  const KktResidual residual = kkt_residual(problem, {x, kTinyMultipliers});
 
   // ∂(f + λᵀg)/∂x_2 = 5 + ½ does not count.
   EXPECT_EQ(residual.stationarity, 0.0);
@@ -88,7 +87,7 @@ TEST(KktResidual, NeverHidesANotANumber) {
     problem.spoil_grad_f[1 - i] = 7.0;
 
     const KktResidual residual =
-        kkt_residual(problem, {kSolution, kMultipliers});
+        kkt_residual(problem, {kTinySolution, kTinyMultipliers});
 
     EXPECT_TRUE(std::isnan(residual.stationarity)) << "variable " << i;
     EXPECT_EQ(residual.worst_variable,
@@ -101,7 +100,7 @@ TEST(KktResidual, NeverHidesANotANumber) {
     problem.spoil_g[1 - i] = 7.0;
 
     const KktResidual residual =
-        kkt_residual(problem, {kSolution, kMultipliers});
+        kkt_residual(problem, {kTinySolution, kTinyMultipliers});
 
     EXPECT_TRUE(std::isnan(residual.infeasibility)) << "constraint " << i;
     EXPECT_EQ(residual.worst_constraint,
@@ -114,7 +113,7 @@ TEST(KktResidual, NeverHidesAFixedVariableThatIsNotANumber) {
   TinyProblem problem;
   const std::vector<double> x{1.0, 1.0, kNaN};
 
-  const KktResidual residual = kkt_residual(problem, {x, kMultipliers});
+  const KktResidual residual = kkt_residual(problem, {x, kTinyMultipliers});
 
   EXPECT_TRUE(std::isnan(residual.bound_violation));
   EXPECT_TRUE(std::isnan(residual.max()));
@@ -136,7 +135,7 @@ TEST(KktResidual, SaysWhyAPointIsNotEvaluable) {
   const std::vector<double> x{-1.0, 1.0, 2.0};
 
   try {
-    static_cast<void>(kkt_residual(problem, {x, kMultipliers}));
+    static_cast<void>(kkt_residual(problem, {x, kTinyMultipliers}));
     FAIL() << "no exception";
   } catch (const std::domain_error& error) {
     EXPECT_STREQ(error.what(), "KKT residual: x[0] is negative");
@@ -148,11 +147,12 @@ TEST(KktResidual, RefusesVectorsOfTheWrongLength) {
   const std::vector<double> one{1.0};
   const std::vector<double> three{1.0, 1.0, 1.0};
 
-  EXPECT_THROW(static_cast<void>(kkt_residual(problem, {one, kMultipliers})),
+  EXPECT_THROW(
+      static_cast<void>(kkt_residual(problem, {one, kTinyMultipliers})),
+      std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(kkt_residual(problem, {kTinySolution, one})),
                std::invalid_argument);
-  EXPECT_THROW(static_cast<void>(kkt_residual(problem, {kSolution, one})),
-               std::invalid_argument);
-  EXPECT_THROW(static_cast<void>(kkt_residual(problem, {kSolution, three})),
+  EXPECT_THROW(static_cast<void>(kkt_residual(problem, {kTinySolution, three})),
                std::invalid_argument);
 }
 

@@ -23,7 +23,7 @@ using ocp::ChainElimination;
 using ocp::ChainLink;
 using ocp::ChainVector;
 
-constexpr unsigned kSeed = 20260412;
+constexpr unsigned kChainSeed = 20260412;
 constexpr Index kGlobals = 3;
 const std::vector<Index> kWidths{4, 4, 6, 6, 4, 5};
 
@@ -89,10 +89,10 @@ VectorXd stacked(const ChainVector& vector) {
 
 // Thirty unknowns of order one; condition numbers of random matrices of this
 // size are a few thousand at most.
-constexpr double kRounding = 1e-10;
+constexpr double kEliminationRounding = 1e-10;
 
 TEST(ChainElimination, SolvesByLeastSquares) {
-  Random random(kSeed);
+  Random random(kChainSeed);
   for (const Index more : {0, 1, 4}) {
     const std::vector<ChainLink> links = random_chain(random, more);
     const Dense whole = dense(links);
@@ -101,12 +101,13 @@ TEST(ChainElimination, SolvesByLeastSquares) {
 
     const VectorXd found = stacked(ChainElimination(links).solve());
 
-    EXPECT_LE((found - expected).norm(), kRounding * expected.norm()) << more;
+    EXPECT_LE((found - expected).norm(), kEliminationRounding * expected.norm())
+        << more;
   }
 }
 
 TEST(ChainElimination, MeetsAllEquationsWhereSomeUnknownsAreLeftOpen) {
-  Random random(kSeed);
+  Random random(kChainSeed);
   std::vector<ChainLink> links = random_chain(random, 0);
   ChainLink& last = links.back();
   // The last component of the last node, and a global, in no equation.
@@ -125,13 +126,14 @@ TEST(ChainElimination, MeetsAllEquationsWhereSomeUnknownsAreLeftOpen) {
 
   const VectorXd found = stacked(ChainElimination(links).solve());
 
-  EXPECT_LE((whole.matrix * found - right).norm(), kRounding * right.norm());
-  EXPECT_NEAR(found(found.size() - 2), 0.0, kRounding);
-  EXPECT_NEAR(found(found.size() - kGlobals - 1), 0.0, kRounding);
+  EXPECT_LE((whole.matrix * found - right).norm(),
+            kEliminationRounding * right.norm());
+  EXPECT_NEAR(found(found.size() - 2), 0.0, kEliminationRounding);
+  EXPECT_NEAR(found(found.size() - kGlobals - 1), 0.0, kEliminationRounding);
 }
 
 TEST(ChainElimination, TellsHowLooseASumOfUnknownsIs) {
-  Random random(kSeed);
+  Random random(kChainSeed);
   const std::vector<ChainLink> links = random_chain(random, 2);
   const MatrixXd inverse =
       dense(links).matrix.completeOrthogonalDecomposition().pseudoInverse();
@@ -146,7 +148,9 @@ TEST(ChainElimination, TellsHowLooseASumOfUnknownsIs) {
         sum.nodes[i].transpose() * inverse.middleRows(first, kWidths[i]) +
         sum.globals.transpose() * inverse.bottomRows(kGlobals);
 
-    EXPECT_NEAR(chain.looseness(sum), row.norm(), kRounding * row.norm()) << i;
+    EXPECT_NEAR(chain.looseness(sum), row.norm(),
+                kEliminationRounding * row.norm())
+        << i;
 
     first += kWidths[i];
   }
@@ -154,7 +158,7 @@ TEST(ChainElimination, TellsHowLooseASumOfUnknownsIs) {
 
 TEST(ChainElimination, KnowsTheSignOfTheDeterminant) {
   constexpr Index kWidth = 4, kNodes = 5, kAtStart = 2;
-  Random random(kSeed);
+  Random random(kChainSeed);
   int positive = 0;
   for (int trial = 0; trial < 20; ++trial) {
     std::vector<ChainLink> links;

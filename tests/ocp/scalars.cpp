@@ -26,9 +26,9 @@ namespace {
 using rolling::Steered;
 using rolling::Turning;
 
-constexpr unsigned kSeed = 20260411;
+constexpr unsigned kPointSeed = 20260411;
 // Some ten operations on numbers of order one.
-constexpr double kRounding = 1e-14;
+constexpr double kFormulaRounding = 1e-14;
 
 Scene in_all_of_the_world() {
   Scene scene =
@@ -91,7 +91,7 @@ TYPED_TEST_SUITE(PointFunctionOf, Problems);
 
 TYPED_TEST(PointFunctionOf, IsTheSameForLongDoublesLanesAndIntervals) {
   const auto problem = described<TypeParam>(in_all_of_the_world());
-  Random random(kSeed);
+  Random random(kPointSeed);
   for (int trial = 0; trial < 20; ++trial) {
     std::array<ocp::PointOf<TypeParam, double>, 4> points;
     for (auto& yu : points) yu = random_point<TypeParam>(random);
@@ -113,10 +113,10 @@ TYPED_TEST(PointFunctionOf, IsTheSameForLongDoublesLanesAndIntervals) {
         const double size = 1.0 + std::abs(plainly[i]);
         EXPECT_EQ(lanes[i].lane[l], plainly[i]) << i;
         EXPECT_NEAR(static_cast<double>(precisely[i]), plainly[i],
-                    kRounding * size)
+                    kFormulaRounding * size)
             << i;
         EXPECT_TRUE(within[i].contains(static_cast<double>(precisely[i]))) << i;
-        EXPECT_LE(within[i].width(), 10.0 * kRounding * size) << i;
+        EXPECT_LE(within[i].width(), 10.0 * kFormulaRounding * size) << i;
       }
     }
   }
@@ -126,7 +126,7 @@ TYPED_TEST(PointFunctionOf, IsTheSameForLongDoublesLanesAndIntervals) {
 TYPED_TEST(PointFunctionOf, EnclosesABoxByIntervals) {
   constexpr double kHalf = 1e-3, kMostStretch = 200.0;
   const auto problem = described<TypeParam>(in_all_of_the_world());
-  Random random(kSeed);
+  Random random(kPointSeed);
   const auto centre = random_point<TypeParam>(random);
   ocp::PointOf<TypeParam, Interval> box;
   for (std::size_t i = 0; i < box.size(); ++i) {
@@ -152,7 +152,7 @@ TYPED_TEST(PointFunctionOf, EnclosesABoxByIntervals) {
 TEST(SteeredFalling, HasTheDerivativesThatJetsHave) {
   using rolling::SteeredFalling;
   using Jet = math::Jet2<double, 5>;
-  Random random(kSeed);
+  Random random(kPointSeed);
   for (const double eta : {0.0, 0.4, 0.95}) {
     const Scene scene = in_natural_units(off_centred_scene(0.4));
     Scene with = scene;
@@ -165,12 +165,12 @@ TEST(SteeredFalling, HasTheDerivativesThatJetsHave) {
       const auto expected = problem.rates(ocp::as_variables<Jet>(yu));
       const auto found = problem.jets<Jet>(yu);
       const auto expect_same = [](const Jet& a, const Jet& b) {
-        EXPECT_NEAR(a.value, b.value, kRounding);
+        EXPECT_NEAR(a.value, b.value, kFormulaRounding);
         for (std::size_t i = 0; i < a.gradient.size(); ++i) {
-          EXPECT_NEAR(a.gradient[i], b.gradient[i], kRounding) << i;
+          EXPECT_NEAR(a.gradient[i], b.gradient[i], kFormulaRounding) << i;
         }
         for (std::size_t i = 0; i < a.hessian.size(); ++i) {
-          EXPECT_NEAR(a.hessian[i], b.hessian[i], 10.0 * kRounding) << i;
+          EXPECT_NEAR(a.hessian[i], b.hessian[i], 10.0 * kFormulaRounding) << i;
         }
       };
       expect_same(found.cost, expected.cost);
@@ -182,8 +182,8 @@ TEST(SteeredFalling, HasTheDerivativesThatJetsHave) {
       for (std::size_t i = 4; i < 8; ++i) y[i] = random.uniform(-1.0, 1.0);
       const auto h = closed.by_control(y, yu[4]);
       const auto by = by_jets.by_control(y, yu[4]);
-      EXPECT_NEAR(h.first, by.first, 10.0 * kRounding);
-      EXPECT_NEAR(h.second, by.second, 10.0 * kRounding);
+      EXPECT_NEAR(h.first, by.first, 10.0 * kFormulaRounding);
+      EXPECT_NEAR(h.second, by.second, 10.0 * kFormulaRounding);
     }
   }
 }

@@ -17,16 +17,16 @@ namespace {
 
 using testing::discrete_cases;
 using testing::DiscreteCase;
+using testing::kDiscreteNodes;
 using testing::observed_order;
 
-constexpr int kNodes = 12;
 /// Taylor's theorem gives 2; the next order shows at the larger distances.
 constexpr double kOrderTolerance = 0.1;
 
 DiscreteVariations exact(const DiscreteCase& one) {
   DiscreteReading reading = one.reading;
   reading.epsilon = 0.0;
-  return {one.scene, kNodes, reading};
+  return {one.scene, kDiscreteNodes, reading};
 }
 
 double norm(const std::vector<double>& v) {
@@ -46,8 +46,8 @@ TEST(DiscreteDerivatives, AreTheLimitOfCentralDifferences) {
 
     for (std::size_t i = 0; i < epsilon.size(); ++i) {
       one.reading.epsilon = epsilon[i];
-      ASSERT_TRUE(
-          DiscreteVariations(one.scene, kNodes, one.reading).residual(u, G));
+      ASSERT_TRUE(DiscreteVariations(one.scene, kDiscreteNodes, one.reading)
+                      .residual(u, G));
       for (std::size_t j = 0; j < u.size(); ++j) G[j] -= F[j];
       error[i] = norm(G);
     }

@@ -17,9 +17,9 @@ namespace {
 
 using testing::discrete_cases;
 using testing::DiscreteCase;
+using testing::kDiscreteNodes;
 using Path = std::vector<double>;
 
-constexpr int kNodes = 12;
 constexpr double kRounding = std::numeric_limits<double>::epsilon();
 
 /// T of (x_j, z_j) in units of H with 2 g = 1, every chord anew.
@@ -76,21 +76,21 @@ Plain plain(const DiscreteCase& one, const std::vector<double>& u) {
   Plain p{one.scene.body, 0.0, one.scene.L / H, {}, {}, u.back()};
   p.body.radius /= H;
   if (one.scene.contact == Contact::Smooth) p.r = p.body.radius;
-  p.x.assign(u.begin(), u.begin() + kNodes);
-  p.z.assign(u.begin() + kNodes, u.begin() + 2 * kNodes);
+  p.x.assign(u.begin(), u.begin() + kDiscreteNodes);
+  p.z.assign(u.begin() + kDiscreteNodes, u.begin() + 2 * kDiscreteNodes);
   return p;
 }
 
 TEST(DiscreteSystem, IsThatOfThePaper) {
   for (const DiscreteCase& one : discrete_cases()) {
-    const DiscreteVariations system(one.scene, kNodes, one.reading);
+    const DiscreteVariations system(one.scene, kDiscreteNodes, one.reading);
     const std::vector<double> u = testing::shaken(system, 1);
     std::vector<double> F(u.size());
 
     ASSERT_TRUE(system.residual(u, F)) << one.name << ": " << system.refusal(u);
 
     Plain p = plain(one, u);
-    const std::size_t n = kNodes;
+    const std::size_t n = kDiscreteNodes;
     const double T = plain_time(p.body, one.reading, p.x, p.z);
     // Some ten roundings per chord.
     const double rounding = 10.0 * n * kRounding;
@@ -115,7 +115,7 @@ TEST(DiscreteSystem, IsThatOfThePaper) {
     for (std::size_t j = 1; j < n; ++j) {
       EXPECT_NEAR(F[j],
                   std::hypot(p.x[j] - p.x[j - 1], p.z[j] - p.z[j - 1]) -
-                      p.S / (kNodes - 1),
+                      p.S / (kDiscreteNodes - 1),
                   rounding)
           << one.name << " chord " << j;
     }
@@ -140,8 +140,8 @@ TEST(DiscreteSystem, BackwardsStartsAreWhereReadingsOfSlopesDiffer) {
   DiscreteReading literal;
   DiscreteReading smooth;
   smooth.slopes = DiscreteReading::Slopes::Smooth;
-  const DiscreteVariations printed(scene, kNodes, literal);
-  const DiscreteVariations continuous(scene, kNodes, smooth);
+  const DiscreteVariations printed(scene, kDiscreteNodes, literal);
+  const DiscreteVariations continuous(scene, kDiscreteNodes, smooth);
   std::vector<double> u = printed.cycloid_guess().value();
   const double r = scene.body.radius;
   u[1] = u[0] - 1e-9;

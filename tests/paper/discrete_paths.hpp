@@ -16,6 +16,9 @@
 
 namespace brachisto::testing {
 
+/// Of the paths of tests that solve nothing.
+inline constexpr int kDiscreteNodes = 12;
+
 struct DiscreteCase {
   std::string name;
   Scene scene;

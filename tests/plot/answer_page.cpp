@@ -26,16 +26,13 @@ using plot::TrajectoryTable;
 using report::Json;
 using testing::bead_solution;
 using testing::data_of;
+using testing::document;
 using testing::has;
 using testing::Incline;
 using testing::kMostBytes;
 using testing::limited_solution;
 using testing::off_centred_solution;
 using testing::xml_flaw;
-
-Json document(const Solution& solution) {
-  return Json::parse(report::result_json(solution));
-}
 
 std::string page_of(const Solution& solution) {
   return answer_page(document(solution), solution.scene,

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "brachisto/report/result.hpp"
+#include "plot/pages.hpp"
 #include "report/solutions.hpp"
 #include "report/xml.hpp"
 
@@ -17,15 +18,9 @@ namespace {
 
 using plot::symbols_html;
 using report::Json;
+using testing::document;
+using testing::has;
 using testing::xml_flaw;
-
-Json document(const Solution& solution) {
-  return Json::parse(report::result_json(solution));
-}
-
-bool has(const std::string& text, const std::string& words) {
-  return text.find(words) != std::string::npos;
-}
 
 TEST(Symbols, AreLoweredAndKeysStay) {
   EXPECT_EQ(symbols_html("R_n ≤ μ"), "R<sub>n</sub> ≤ μ");

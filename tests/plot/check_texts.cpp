@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using plot::check_meaning;
-using Names = std::set<std::string>;
+using NameSet = std::set<std::string>;
 
 const fs::path kSources = BRACHISTO_SOURCE_DIR;
 
@@ -29,7 +29,7 @@ std::string content(const fs::path& file) {
 }
 
 void add_matches(const std::string& text, const std::string& pattern,
-                 Names& names) {
+                 NameSet& names) {
   const std::regex expression(pattern);
   for (std::sregex_iterator match(text.begin(), text.end(), expression), end;
        match != end; ++match) {
@@ -43,8 +43,8 @@ void add_matches(const std::string& text, const std::string& pattern,
 /// methods: Certificate::add("name", …) and add(condition ? "name" : "name",
 /// …). Where the cross-check of a limited track adds several, compare("name",
 /// …).
-Names checks_of_sources() {
-  Names names;
+NameSet checks_of_sources() {
+  NameSet names;
   for (const auto& entry : fs::recursive_directory_iterator(kSources / "src")) {
     if (entry.path().extension() != ".cpp") continue;
     const std::string text = content(entry.path());
@@ -57,7 +57,7 @@ Names checks_of_sources() {
 }
 
 TEST(CheckTexts, AreThereForAllThatTheSourcesAddAndForNoOther) {
-  Names told;
+  NameSet told;
   for (const plot::CheckText& text : plot::check_texts()) {
     EXPECT_TRUE(told.emplace(text.check).second) << text.check << " is twice";
     EXPECT_EQ(check_meaning(text.check), text.meaning);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// What all pages with motion have to be.
+/// What pages show, and what all of them have to be.
 
 #pragma once
 
@@ -13,12 +13,19 @@
 #include <string>
 #include <string_view>
 
+#include "brachisto/report/result.hpp"
+
 namespace brachisto::testing {
 
 inline constexpr std::size_t kMostBytes = 600'000;
 
 [[nodiscard]] inline bool has(const std::string& text, std::string_view words) {
   return text.find(words) != std::string::npos;
+}
+
+/// The result that a page is made of.
+[[nodiscard]] inline nlohmann::ordered_json document(const Solution& solution) {
+  return nlohmann::ordered_json::parse(report::result_json(solution));
 }
 
 /// The data within a page.

@@ -30,6 +30,7 @@ using plot::Racer;
 using plot::TrajectoryTable;
 using report::Json;
 using testing::data_of;
+using testing::document;
 using testing::has;
 using testing::Incline;
 using testing::kMostBytes;
@@ -37,7 +38,7 @@ using testing::xml_flaw;
 
 Racer racer(const std::string& name, const Solution& solution) {
   return {.name = name,
-          .result = Json::parse(report::result_json(solution)),
+          .result = document(solution),
           .scene = solution.scene,
           .table = TrajectoryTable::read(report::trajectory_csv(solution))};
 }

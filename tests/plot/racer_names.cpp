@@ -12,29 +12,29 @@ namespace brachisto {
 namespace {
 
 using plot::racer_names;
-using Names = std::vector<std::string>;
+using NameList = std::vector<std::string>;
 
 TEST(RacerNames, AreThoseOfTheFiles) {
   EXPECT_EQ(racer_names({"/a/bead.yaml", "uniform_cylinder.yaml"}),
-            (Names{"bead", "uniform cylinder"}));
-  EXPECT_EQ(racer_names({}), Names{});
+            (NameList{"bead", "uniform cylinder"}));
+  EXPECT_EQ(racer_names({}), NameList{});
 }
 
 TEST(RacerNames, HaveAsManyFoldersAsTellThemApart) {
   EXPECT_EQ(racer_names({"/near_B/steep/a.yaml", "/near_B/flat/a.yaml",
                          "/far/flat/a.yaml", "/far/flat/b.yaml"}),
-            (Names{"steep/a", "near B/flat/a", "far/flat/a", "b"}));
+            (NameList{"steep/a", "near B/flat/a", "far/flat/a", "b"}));
   // Of a path that has no more folders.
   EXPECT_EQ(racer_names({"/a.yaml", "/steep/a.yaml"}),
-            (Names{"/a.yaml", "steep/a"}));
+            (NameList{"/a.yaml", "steep/a"}));
   EXPECT_EQ(racer_names({"steep/a.yaml", "steep/../flat/./a.yaml"}),
-            (Names{"steep/a", "flat/a"}));
+            (NameList{"steep/a", "flat/a"}));
 }
 
 TEST(RacerNames, AreThePathsWhereNoFolderTellsThemApart) {
   EXPECT_EQ(racer_names({"a.yaml", "a.yml", "b_c.yaml", "b c.yaml"}),
-            (Names{"a.yaml", "a.yml", "b_c.yaml", "b c.yaml"}));
-  EXPECT_EQ(racer_names({"a.yaml", "a.yaml"}), (Names{"a.yaml", "a.yaml"}));
+            (NameList{"a.yaml", "a.yml", "b_c.yaml", "b c.yaml"}));
+  EXPECT_EQ(racer_names({"a.yaml", "a.yaml"}), (NameList{"a.yaml", "a.yaml"}));
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include <nlohmann/json.hpp>
 
 #include "brachisto/io/problem_file.hpp"
+#include "brachisto/math/index.hpp"
 #include "brachisto/solvers/program_solvers.hpp"
 #include "brachisto/study/solve.hpp"
 #include "program_files/asl_program.hpp"
@@ -39,10 +40,6 @@ using testing::ProgramCase;
 using testing::Random;
 using testing::rounding_of;
 using testing::ScratchDirectory;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Where the file has the program's variables and constraints, by their names.
 struct Places {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "report/sweep_pictures.hpp"
 #include "report/sweep_plots.hpp"
 #include "report/sweep_tables.hpp"
 #include "report/xml.hpp"
@@ -18,10 +19,11 @@ namespace {
 using brachisto::testing::count;
 using brachisto::testing::fail;
 using brachisto::testing::list_over;
+using brachisto::testing::svg_of;
 using brachisto::testing::sweep_over;
 using brachisto::testing::xml_flaw;
 
-constexpr ValueRange kRange{5.0, 6.0};
+constexpr ValueRange kSlopeRange{5.0, 6.0};
 
 SweepTable slope() {
   return sweep_over({{"scene.body.k", 0.0, 1.0, 11}},
@@ -33,14 +35,6 @@ XyPlot curve(const SweepTable& table) {
   plot.name = "curve";
   plot.curves = {all_scenes(table)};
   return plot;
-}
-
-/// The picture; it has to be drawn and well formed.
-std::string svg_of(const Figure& figure) {
-  const DrawnFiles drawn = draw(figure, Format::Svg, nullptr);
-  EXPECT_EQ(drawn.missing, "");
-  EXPECT_EQ(xml_flaw(drawn.files.back().content), "");
-  return drawn.files.back().content;
 }
 
 /// Rows of the table that begin so.
@@ -65,7 +59,7 @@ std::size_t lines(const Figure& figure) {
 TEST(XyFigure, IsACurveWithARowPerScene) {
   const SweepTable table = slope();
 
-  const Figure figure = xy_figure(table, curve(table), kRange);
+  const Figure figure = xy_figure(table, curve(table), kSlopeRange);
 
   EXPECT_EQ(lines(figure), 1u);
   EXPECT_EQ(rows(figure, "curve"), 11u);
@@ -79,7 +73,7 @@ TEST(XyFigure, HasAGapAndACrossWhereScenesFailed) {
   fail(table, 4);
   fail(table, 5);
 
-  const Figure figure = xy_figure(table, curve(table), kRange);
+  const Figure figure = xy_figure(table, curve(table), kSlopeRange);
 
   EXPECT_EQ(lines(figure), 2u);
   EXPECT_EQ(rows(figure, "failed"), 2u);
@@ -90,7 +84,7 @@ TEST(XyFigure, HasAGapButNoCrossWhereScenesAreMissing) {
   SweepTable table = slope();
   table.outcomes[5] = {};
 
-  const Figure figure = xy_figure(table, curve(table), kRange);
+  const Figure figure = xy_figure(table, curve(table), kSlopeRange);
 
   EXPECT_EQ(lines(figure), 2u);
   EXPECT_EQ(rows(figure, "failed"), 0u);
@@ -102,7 +96,7 @@ TEST(XyFigure, IsNotJoinedAcrossAJump) {
         return at[0] < 0.5 ? 5.0 + 0.1 * at[0] : 6.0;
       });
 
-  EXPECT_EQ(lines(xy_figure(table, curve(table), kRange)), 2u);
+  EXPECT_EQ(lines(xy_figure(table, curve(table), kSlopeRange)), 2u);
 }
 
 /// A line between two scenes of a parabola is out by an eighth of the second
@@ -133,7 +127,7 @@ TEST(XyFigure, NamesEachCurveOfAFamily) {
                  {10, 11, 12, 13, 14},
                  {15, 16, 17, 18, 19}};
 
-  const Figure figure = xy_figure(table, plot, kRange);
+  const Figure figure = xy_figure(table, plot, kSlopeRange);
 
   const std::string svg = svg_of(figure);
   for (const std::string name : {"L = 1 m", "L = 2 m", "L = 3 m", "L = 4 m"}) {
@@ -147,7 +141,7 @@ TEST(XyFigure, NamesWhatIsFixed) {
   table.constants = {{"scene.finish.L", 3.0}, {"scene.body.theta_m", 0.5}};
   table.columns.push_back({"scene.a_b", std::vector<double>(11, 7.0), {}});
 
-  const Figure figure = xy_figure(table, curve(table), kRange);
+  const Figure figure = xy_figure(table, curve(table), kSlopeRange);
 
   EXPECT_EQ(figure.title, "τ against k: scene.a_b = 7, L = 3 m, θm = 28.6479°");
   EXPECT_NE(svg_of(figure).find("<title>" + figure.title + "</title>"),
@@ -158,16 +152,16 @@ TEST(XyFigure, CutsAKeyThatIsLongerThanItsAxis) {
   SweepTable table = slope();
   table.columns[0].key = "first." + std::string(80, 'x') + ".the_last_part";
 
-  EXPECT_NE(
-      svg_of(xy_figure(table, curve(table), kRange)).find("…the_last_part<"),
-      std::string::npos);
+  EXPECT_NE(svg_of(xy_figure(table, curve(table), kSlopeRange))
+                .find("…the_last_part<"),
+            std::string::npos);
 }
 
 TEST(XyFigure, MarksTheFastestFeasibleSceneAndAFasterInfeasibleOne) {
   SweepTable table = slope();
   table.outcomes[0].feasible = false;
 
-  const Figure figure = xy_figure(table, curve(table), kRange);
+  const Figure figure = xy_figure(table, curve(table), kSlopeRange);
 
   EXPECT_NE(figure.table.find("\nminimum,0.1,5.1\n"), std::string::npos);
   EXPECT_NE(figure.table.find("\ninfeasible minimum,0,5\n"), std::string::npos);
@@ -181,7 +175,7 @@ TEST(XyFigure, HasNoMarkForAnInfeasibleSceneIfAFeasibleOneIsAsFast) {
   table.outcomes[0].feasible = false;
   table.outcomes[1].tau = table.outcomes[0].tau;
 
-  const Figure figure = xy_figure(table, curve(table), kRange);
+  const Figure figure = xy_figure(table, curve(table), kSlopeRange);
 
   EXPECT_EQ(rows(figure, "minimum"), 1u);
   EXPECT_EQ(rows(figure, "infeasible minimum"), 0u);
@@ -195,7 +189,7 @@ TEST(XyFigure, TakesWordsAsCategoriesAndEscapesThem) {
   XyPlot plot = curve(table);
   plot.joined = false;
 
-  const Figure figure = xy_figure(table, plot, kRange);
+  const Figure figure = xy_figure(table, plot, kSlopeRange);
 
   const std::string svg = svg_of(figure);
   EXPECT_NE(svg.find(">a &lt; b<"), std::string::npos);
@@ -210,7 +204,7 @@ TEST(XyFigure, CutsWordsThatAreMany) {
                                      std::to_string(i));
   }
 
-  EXPECT_EQ(count(svg_of(xy_figure(table, curve(table), kRange)),
+  EXPECT_EQ(count(svg_of(xy_figure(table, curve(table), kSlopeRange)),
                   "a word that is to…"),
             11u);
 }

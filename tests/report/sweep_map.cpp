@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "report/sweep_pictures.hpp"
 #include "report/sweep_plots.hpp"
 #include "report/sweep_tables.hpp"
 #include "report/xml.hpp"
@@ -18,7 +19,9 @@ namespace {
 using brachisto::testing::count;
 using brachisto::testing::fail;
 using brachisto::testing::kDegree;
+using brachisto::testing::svg_of;
 using brachisto::testing::sweep_over;
+using brachisto::testing::whole;
 using brachisto::testing::xml_flaw;
 
 /// τ = 5 + (η_m − 0.35)² + (θ_m / 180° − 0.25)², η_m from 0 to 0.7, θ_m from
@@ -39,24 +42,7 @@ SweepTable bowl(bool turned = false) {
                 : sweep_over({offset, turn}, tau);
 }
 
-SweepMap whole(const SweepTable& table) {
-  return {.name = "map",
-          .first = 0,
-          .second = 1,
-          .n_first = table.axes[0].count,
-          .n_second = table.axes[1].count,
-          .scenes = all_scenes(table)};
-}
-
-constexpr ValueRange kRange{5.0, 7.0};
-
-/// The picture; it has to be drawn and well formed.
-std::string svg_of(const Figure& figure) {
-  const DrawnFiles drawn = draw(figure, Format::Svg, nullptr);
-  EXPECT_EQ(drawn.missing, "") << figure.commands;
-  EXPECT_EQ(xml_flaw(drawn.files.back().content), "");
-  return drawn.files.back().content;
-}
+constexpr ValueRange kBowlRange{5.0, 7.0};
 
 bool says(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
@@ -70,7 +56,7 @@ std::size_t cells(const std::string& svg) {
 TEST(MapFigure, HasARowPerSceneAndAnEmptyLineAfterEachRowOfTheGrid) {
   const SweepTable table = bowl();
 
-  const Figure figure = map_figure(table, whole(table), kRange);
+  const Figure figure = map_figure(table, whole(table), kBowlRange);
 
   EXPECT_TRUE(
       figure.table.starts_with("θm [°],ηm,tau,state,feasible\n-180,0,"));
@@ -83,7 +69,7 @@ TEST(MapFigure, HasOneOrientationWhicheverAxisIsFirst) {
   for (const bool turned : {false, true}) {
     const SweepTable table = bowl(turned);
 
-    const Figure figure = map_figure(table, whole(table), kRange);
+    const Figure figure = map_figure(table, whole(table), kBowlRange);
 
     EXPECT_EQ(figure.title, "τ over θm\u00A0and ηm");
     EXPECT_TRUE(says(figure.commands, "set xrange [-180:180]"));
@@ -94,7 +80,7 @@ TEST(MapFigure, HasOneOrientationWhicheverAxisIsFirst) {
 TEST(MapFigure, FillsAllCellsAndNamesLinesOfEqualTau) {
   const SweepTable table = bowl();
 
-  const std::string svg = svg_of(map_figure(table, whole(table), kRange));
+  const std::string svg = svg_of(map_figure(table, whole(table), kBowlRange));
 
   EXPECT_GE(cells(svg), (kNx - 1) * (kNy - 1));
   for (const char* level : {">5.2</tspan>", ">5.4</tspan>", ">6</tspan>"}) {
@@ -105,7 +91,7 @@ TEST(MapFigure, FillsAllCellsAndNamesLinesOfEqualTau) {
 TEST(MapFigure, MarksTheMinimumOfTheGridWhereItIs) {
   const SweepTable table = bowl();
 
-  const Figure figure = map_figure(table, whole(table), kRange);
+  const Figure figure = map_figure(table, whole(table), kBowlRange);
 
   EXPECT_TRUE(says(figure.commands, "$minimum << END\n45,0.35\nEND\n"));
   EXPECT_TRUE(says(svg_of(figure), "minimum of the grid: τ = 5.0000000 at η"));
@@ -116,7 +102,7 @@ TEST(MapFigure, MarksTheFastestFeasibleSceneAndAFasterInfeasibleOne) {
   const std::size_t fastest = *digest(table, all_scenes(table)).fastest;
   table.outcomes[fastest].feasible = false;
 
-  const Figure figure = map_figure(table, whole(table), kRange);
+  const Figure figure = map_figure(table, whole(table), kBowlRange);
 
   EXPECT_TRUE(says(figure.commands, "$infeasible << END\n45,0.35\nEND\n"));
   EXPECT_TRUE(says(figure.commands, "$minimum << END\n"));
@@ -128,7 +114,7 @@ TEST(MapFigure, OfInfeasibleScenesOnlySaysSoOfTheMinimum) {
   SweepTable table = bowl();
   for (SweepOutcome& outcome : table.outcomes) outcome.feasible = false;
 
-  const Figure figure = map_figure(table, whole(table), kRange);
+  const Figure figure = map_figure(table, whole(table), kBowlRange);
 
   EXPECT_FALSE(says(figure.commands, "$minimum"));
   EXPECT_TRUE(says(svg_of(figure), "minimum of the grid, infeasible: "));
@@ -137,11 +123,11 @@ TEST(MapFigure, OfInfeasibleScenesOnlySaysSoOfTheMinimum) {
 TEST(MapFigure, DrawsNothingAcrossScenesWithoutAResult) {
   SweepTable table = bowl();
   const std::size_t all =
-      cells(svg_of(map_figure(table, whole(table), kRange)));
+      cells(svg_of(map_figure(table, whole(table), kBowlRange)));
   for (const std::size_t scene : {100U, 500U}) fail(table, scene);
   table.outcomes[300] = {};
 
-  const Figure figure = map_figure(table, whole(table), kRange);
+  const Figure figure = map_figure(table, whole(table), kBowlRange);
 
   const std::string svg = svg_of(figure);
   EXPECT_EQ(count(figure.table, ",nan,failed,nan\n"), 2u);
@@ -173,12 +159,12 @@ TEST(MapFigure, FollowsAColumnThatDependsOnAnother) {
 TEST(MapFigure, DrawsTheEdgeOfWhatIsInfeasible) {
   SweepTable table = bowl();
   EXPECT_FALSE(
-      says(map_figure(table, whole(table), kRange).commands, "infeasible"));
+      says(map_figure(table, whole(table), kBowlRange).commands, "infeasible"));
   for (std::size_t scene = 20 * kNy; scene < table.outcomes.size(); ++scene) {
     table.outcomes[scene].feasible = false;
   }
 
-  const std::string svg = svg_of(map_figure(table, whole(table), kRange));
+  const std::string svg = svg_of(map_figure(table, whole(table), kBowlRange));
 
   EXPECT_TRUE(says(svg, "edge of infeasible scenes (297)"));
 }
@@ -210,7 +196,7 @@ TEST(MapFigure, LeavesOutWhatHasNoPlace) {
   SweepTable table = bowl();
   table.columns[0].numbers[0] = std::nan("");
 
-  EXPECT_GT(cells(svg_of(map_figure(table, whole(table), kRange))), 0u);
+  EXPECT_GT(cells(svg_of(map_figure(table, whole(table), kBowlRange))), 0u);
 }
 
 TEST(ScatterFigure, HasADotOfTheColourOfTauForEachScene) {
@@ -221,7 +207,7 @@ TEST(ScatterFigure, HasADotOfTheColourOfTauForEachScene) {
   const SweepMap sample{
       .name = "sample", .first = 0, .second = 1, .scenes = all_scenes(table)};
 
-  const Figure figure = scatter_figure(table, sample, kRange);
+  const Figure figure = scatter_figure(table, sample, kBowlRange);
 
   const std::string svg = svg_of(figure);
   EXPECT_EQ(count(figure.table, "\n"), 1 + kNx * kNy);

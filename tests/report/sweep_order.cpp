@@ -10,6 +10,7 @@
 #include <limits>
 #include <vector>
 
+#include "report/sweep_pictures.hpp"
 #include "report/sweep_tables.hpp"
 
 namespace brachisto::report {
@@ -17,19 +18,11 @@ namespace {
 
 using brachisto::testing::list_over;
 using brachisto::testing::sweep_over;
+using brachisto::testing::whole;
 using ::testing::ElementsAre;
 
 double sum(const std::vector<double>& at) {
   return 5.0 + at[0] + at[1];
-}
-
-SweepMap whole(const SweepTable& table) {
-  return {.name = "map",
-          .first = 0,
-          .second = 1,
-          .n_first = table.axes[0].count,
-          .n_second = table.axes[1].count,
-          .scenes = all_scenes(table)};
 }
 
 SweepTable lists(const std::vector<double>& k, const std::vector<double>& l) {

@@ -10,10 +10,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "reproduction/no_signal.hpp"
+
 namespace brachisto::reproduction {
 namespace {
 
-const Interrupt kNoSignal = 0;
+using testing::kNoSignal;
 
 Scene paper_scene() {
   Scene scene;

@@ -9,10 +9,12 @@
 
 #include <cmath>
 
+#include "reproduction/no_signal.hpp"
+
 namespace brachisto::reproduction {
 namespace {
 
-const Interrupt kNoSignal = 0;
+using testing::kNoSignal;
 
 // Of the time on a spline.
 constexpr double kTolerance = 1e-8;

@@ -11,11 +11,12 @@
 #include <numbers>
 
 #include "reproduction/cases.hpp"
+#include "reproduction/no_signal.hpp"
 
 namespace brachisto::reproduction {
 namespace {
 
-const Interrupt kNoSignal = 0;
+using testing::kNoSignal;
 
 TEST(FastestOrientation, IsStationaryAndAMinimum) {
   Scene scene;

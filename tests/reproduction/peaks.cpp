@@ -9,15 +9,15 @@
 
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <utility>
 
 #include "brachisto/study/solve.hpp"
+#include "support/numbers.hpp"
 
 namespace brachisto::reproduction {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using testing::kPi;
 
 /// z = x/3 + a sin 2πx from (0, 0) to (3, 1): with z down it turns downwards,
 /// z'' > 0, in the second half of each unit.

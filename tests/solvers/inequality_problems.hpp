@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "brachisto/math/index.hpp"
 #include "brachisto/math/jet.hpp"
 #include "brachisto/nlp/problem.hpp"
 
@@ -57,8 +58,6 @@ class BoundedProblem : public nlp::Problem {
   [[nodiscard]] std::string refusal() const override { return "none"; }
 
  protected:
-  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
   void add_variable(double lower, double upper) {
     ranges_.push_back({lower, upper});
   }

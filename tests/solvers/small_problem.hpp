@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "brachisto/math/index.hpp"
 #include "brachisto/nlp/problem.hpp"
 #include "brachisto/solvers/program_solvers.hpp"
 
@@ -70,10 +71,6 @@ class SmallProblem : public nlp::Problem {
         hess_lag_pattern_.add(i, j);
       }
     }
-  }
-
-  [[nodiscard]] static std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
   }
 
   std::vector<double> x_;  ///< the current point

@@ -22,12 +22,12 @@ namespace {
 
 using namespace testing;
 
-struct Row {
+struct LimitedRow {
   std::string name;
   Scene scene;
 };
 
-std::ostream& operator<<(std::ostream& out, const Row& row) {
+std::ostream& operator<<(std::ostream& out, const LimitedRow& row) {
   return out << row.name;
 }
 
@@ -56,7 +56,7 @@ Scene in_drag(const Scene& scene) {
   return in_air(scene, 0.3, 0.1);
 }
 
-std::vector<Row> rows() {
+std::vector<LimitedRow> limited_rows() {
   const Scene base = off_centred_scene(), ahead = off_centred_scene(-kPi / 6.0);
   const Scene uniform = uniform_scene(), bead = bead_scene();
   const auto pushed = [](const Scene& scene) { return with_push(scene, 1.0); };
@@ -105,7 +105,7 @@ std::vector<Row> rows() {
   };
 }
 
-class LimitsInAWorld : public ::testing::TestWithParam<Row> {};
+class LimitsInAWorld : public ::testing::TestWithParam<LimitedRow> {};
 
 TEST_P(LimitsInAWorld, AreKeptByBothMethodsAndTheLawsHold) {
   const Scene& scene = GetParam().scene;
@@ -128,7 +128,7 @@ TEST_P(LimitsInAWorld, AreKeptByBothMethodsAndTheLawsHold) {
   EXPECT_LE(left.largest(), allowed_along(program)) << left;
 }
 
-class PricesInAWorld : public ::testing::TestWithParam<Row> {};
+class PricesInAWorld : public ::testing::TestWithParam<LimitedRow> {};
 
 /// Of whole solves, whose T is right to some 1e-12, over steps of 1e-4: to the
 /// square of that step times a third derivative of order one and more.
@@ -175,9 +175,9 @@ TEST_P(PricesInAWorld, AndSensitivitiesAreSlopesOfTheTime) {
   EXPECT_GE(active, 1);
 }
 
-std::vector<Row> priced() {
-  std::vector<Row> out;
-  for (const Row& row : rows()) {
+std::vector<LimitedRow> priced() {
+  std::vector<LimitedRow> out;
+  for (const LimitedRow& row : limited_rows()) {
     if (row.name == "floor_in_air" || row.name == "friction_on_a_planet" ||
         row.name == "valley_with_a_push" || row.name == "corner_at_A" ||
         row.name == "corner_of_a_given_centre") {
@@ -190,7 +190,8 @@ std::vector<Row> priced() {
 INSTANTIATE_TEST_SUITE_P(Scenes, PricesInAWorld, ::testing::ValuesIn(priced()),
                          [](const auto& row) { return row.param.name; });
 
-INSTANTIATE_TEST_SUITE_P(Scenes, LimitsInAWorld, ::testing::ValuesIn(rows()),
+INSTANTIATE_TEST_SUITE_P(Scenes, LimitsInAWorld,
+                         ::testing::ValuesIn(limited_rows()),
                          [](const auto& row) { return row.param.name; });
 
 }  // namespace

@@ -39,12 +39,6 @@ Scene with_rolling(Scene scene, double c) {
   return scene;
 }
 
-SolveOptions by_shooting() {
-  SolveOptions options;
-  options.method = Shooting{};
-  return options;
-}
-
 double tau_of(const Solution& solution) {
   return solution.verified() ? solution.motion()->tau() : std::nan("");
 }
@@ -172,17 +166,17 @@ TEST(LossesOfACylinder, MakeTheStaticConeNarrower) {
               std::atan((mu * (1.0 + k) - c) / k), 1e-9);
 }
 
-struct Row {
+struct LossyRow {
   std::string name;
   Scene scene;
 };
 
-std::ostream& operator<<(std::ostream& out, const Row& row) {
+std::ostream& operator<<(std::ostream& out, const LossyRow& row) {
   return out << row.name;
 }
 
 /// Pushed, in a sphere's field and in air, with every contact.
-std::vector<Row> rows() {
+std::vector<LossyRow> lossy_rows() {
   const Scene bead = with_sliding(bead_scene(), 0.1);
   const Scene uniform = with_rolling(uniform_scene(), 0.05);
   const Scene base = with_rolling(off_centred_scene(), 0.03);
@@ -204,7 +198,7 @@ std::vector<Row> rows() {
   };
 }
 
-class LossesInAWorld : public ::testing::TestWithParam<Row> {};
+class LossesInAWorld : public ::testing::TestWithParam<LossyRow> {};
 
 TEST_P(LossesInAWorld, AreTheSameByBothMethodsAndByTheLaws) {
   const Scene& scene = GetParam().scene;
@@ -220,7 +214,8 @@ TEST_P(LossesInAWorld, AreTheSameByBothMethodsAndByTheLaws) {
   EXPECT_LE(left.largest(), allowed_along(program)) << left;
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, LossesInAWorld, ::testing::ValuesIn(rows()),
+INSTANTIATE_TEST_SUITE_P(Scenes, LossesInAWorld,
+                         ::testing::ValuesIn(lossy_rows()),
                          [](const auto& row) { return row.param.name; });
 
 /// Loads bounded from both sides, little friction or a floor, whatever else.

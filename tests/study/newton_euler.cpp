@@ -29,13 +29,13 @@ using namespace testing;
 /// by polynomials of any degree. And what faults leave at least.
 constexpr double kUnseen = 3e-6, kSeen = 1e-3;
 
-struct Answered {
+struct AskedScene {
   std::string name;
   Scene scene;
   SolveOptions options = {};
 };
 
-std::ostream& operator<<(std::ostream& out, const Answered& row) {
+std::ostream& operator<<(std::ostream& out, const AskedScene& row) {
   return out << row.name;
 }
 
@@ -51,7 +51,7 @@ Scene on_path(Scene scene, GivenPath::Curve curve, GivenPath::Shape shape) {
   return scene;
 }
 
-std::vector<Answered> answers() {
+std::vector<AskedScene> answers() {
   using enum GivenPath::Curve;
   using enum GivenPath::Shape;
   const Scene base = off_centred_scene(), ahead = off_centred_scene(-kPi / 6.0);
@@ -99,7 +99,7 @@ std::vector<Answered> answers() {
   };
 }
 
-class LawsAlong : public ::testing::TestWithParam<Answered> {};
+class LawsAlong : public ::testing::TestWithParam<AskedScene> {};
 
 TEST_P(LawsAlong, TheAnswerHold) {
   const Solution solution = solve(GetParam().scene, GetParam().options);
@@ -208,8 +208,8 @@ class LawsNotAlong : public ::testing::TestWithParam<Fault> {};
 
 TEST_P(LawsNotAlong, AFaultyAnswer) {
   const Fault& fault = GetParam();
-  const std::vector<Answered> all = answers();
-  const auto found = std::ranges::find(all, fault.answer, &Answered::name);
+  const std::vector<AskedScene> all = answers();
+  const auto found = std::ranges::find(all, fault.answer, &AskedScene::name);
   ASSERT_NE(found, all.end());
   const Solution solution = solve(found->scene, found->options);
   ASSERT_TRUE(solution.verified()) << solution.message;

@@ -14,15 +14,15 @@
 
 #include "brachisto/study/solve.hpp"
 #include "search/continuation.hpp"
+#include "support/numbers.hpp"
 #include "support/reference_values.hpp"
 
 namespace brachisto {
 namespace {
 
 using ::testing::HasSubstr;
+using testing::kNaN;
 using testing::reference;
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// A way to spoil the options, and what of it has to be said.
 struct Spoiled {

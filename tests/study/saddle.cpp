@@ -27,14 +27,14 @@ bool says(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-struct Way {
+struct AdvisedWay {
   const char* name;
   std::function<void(SolveOptions&)> choose;
   const char* advice;
 };
 
-const std::vector<Way>& ways() {
-  static const std::vector<Way> all = {
+const std::vector<AdvisedWay>& ways() {
+  static const std::vector<AdvisedWay> all = {
       {"ipopt", [](SolveOptions&) {}, "search: global looks"},
       {"newton_kkt",
        [](SolveOptions& o) {
@@ -64,7 +64,7 @@ const std::vector<Way>& ways() {
 }
 
 TEST(Saddle, IsRefusedWithAdviceThatItsOptionsAllow) {
-  for (const Way& way : ways()) {
+  for (const AdvisedWay& way : ways()) {
     SolveOptions options;
     way.choose(options);
 

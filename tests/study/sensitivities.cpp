@@ -128,7 +128,7 @@ std::ostream& operator<<(std::ostream& out, const Case& one) {
   return out << one.test;
 }
 
-Scene scene_of(const Body& body, Contact contact = Contact::Smooth) {
+Scene scene_between(const Body& body, Contact contact = Contact::Smooth) {
   Scene scene;
   scene.body = body;
   scene.L = 3.0;
@@ -198,16 +198,16 @@ TEST_P(OfTheFreeScene, ObeyTheLawOfUnits) {
 }
 
 Scene bead() {
-  return scene_of(Body::bead());
+  return scene_between(Body::bead());
 }
 Scene on_limits(Scene scene, const PathLimits& limits,
                 Contact contact = Contact::Smooth) {
   return under(std::move(scene), limits, contact);
 }
 std::vector<Case> free_scenes() {
-  return {{"Reference", scene_of(reference_body())},
-          {"Backwards", scene_of(reference_body(-std::numbers::pi / 6.0))},
-          {"Centre", scene_of(reference_body(0.4), Contact::Centre)},
+  return {{"Reference", scene_between(reference_body())},
+          {"Backwards", scene_between(reference_body(-std::numbers::pi / 6.0))},
+          {"Centre", scene_between(reference_body(0.4), Contact::Centre)},
           {"Bead", bead()}};
 }
 
@@ -220,28 +220,30 @@ INSTANTIATE_TEST_SUITE_P(Scenes, OfTheFreeScene,
 INSTANTIATE_TEST_SUITE_P(
     Limited, OfTheScene,
     ::testing::Values(
-        Case{"Friction", on_limits(scene_of(reference_body()), friction(1.0))},
-        Case{"Floor",
-             on_limits(scene_of(reference_body()), floor_at(0.9 + 1.0 / 3.0))},
-        Case{"Optimal", on_limits(scene_of(reference_body()), bends(2.0, 2.0),
-                                  Contact::Optimal)}),
+        Case{"Friction",
+             on_limits(scene_between(reference_body()), friction(1.0))},
+        Case{"Floor", on_limits(scene_between(reference_body()),
+                                floor_at(0.9 + 1.0 / 3.0))},
+        Case{"Optimal", on_limits(scene_between(reference_body()),
+                                  bends(2.0, 2.0), Contact::Optimal)}),
     [](const auto& one) { return one.param.test; });
 
 Scene backwards(Contact contact = Contact::Smooth) {
-  return scene_of(reference_body(-std::numbers::pi / 6.0), contact);
+  return scene_between(reference_body(-std::numbers::pi / 6.0), contact);
 }
 std::vector<Case> worlds_at_rest() {
   return {
       {"Air", in_air(backwards(), 0.3, 0.1)},
-      {"InASphere", about_sphere(scene_of(reference_body(0.4)), around())},
-      {"AboveASphere", about_sphere(scene_of(reference_body(0.4)), below())}};
+      {"InASphere", about_sphere(scene_between(reference_body(0.4)), around())},
+      {"AboveASphere",
+       about_sphere(scene_between(reference_body(0.4)), below())}};
 }
 INSTANTIATE_TEST_SUITE_P(Worlds, OfTheScene,
                          ::testing::ValuesIn(worlds_at_rest()),
                          [](const auto& one) { return one.param.test; });
 
 Scene into_a_planet(const Body& body, Contact contact = Contact::Smooth) {
-  return about_sphere(scene_of(body, contact), in_the_way());
+  return about_sphere(scene_between(body, contact), in_the_way());
 }
 Case through_a_surface() {
   return {"Offset", into_a_planet(reference_body(0.35))};
@@ -280,7 +282,7 @@ TEST(Sensitivities, OnElementsThatAreAskedForFollowThePassageToo) {
 /// The figures of docs/theory.md: the slope of τ over η_m is not what it is
 /// between fixed ends.
 TEST(Sensitivities, OfTheReferenceAtFixedContactsAreOthers) {
-  const auto found = sensitivities(solved(scene_of(reference_body())));
+  const auto found = sensitivities(solved(scene_between(reference_body())));
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->by[SceneParameter::EtaM].tau, 0.6009, 5e-5);
   EXPECT_NEAR(found->by[SceneParameter::EtaM].tau_at_fixed_contacts, 0.3904,
@@ -370,7 +372,7 @@ TEST_P(AtFixedContacts, AreThoseBetweenTheEndsOfTheCentre) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, AtFixedContacts,
                          ::testing::Values(Case{
-                             "Backwards", scene_of(reference_body(-0.5))}),
+                             "Backwards", scene_between(reference_body(-0.5))}),
                          [](const auto& one) { return one.param.test; });
 INSTANTIATE_TEST_SUITE_P(Worlds, AtFixedContacts,
                          ::testing::ValuesIn(worlds_at_rest()),
@@ -386,7 +388,8 @@ Case push_between_ends() {
   return {"PushBetweenEnds", with_push(backwards(Contact::Centre), 1.0)};
 }
 Case push_in_air_in_a_sphere() {
-  const Scene scene = about_sphere(scene_of(reference_body(0.4)), around());
+  const Scene scene =
+      about_sphere(scene_between(reference_body(0.4)), around());
   return {"PushInAirInASphere", in_air(with_push(scene, 0.7), 0.1, 0.05)};
 }
 
@@ -443,7 +446,7 @@ INSTANTIATE_TEST_SUITE_P(
 /// T = √(1 + k) U along one cycloid for all k.
 TEST(Sensitivities, OfAUniformCylinderAreThoseOfTheCycloid) {
   constexpr double kRounding = 1e-9;
-  const Scene scene = scene_of(Body::cylinder(1.0 / 3.0, 0.0, 0.0, 0.5));
+  const Scene scene = scene_between(Body::cylinder(1.0 / 3.0, 0.0, 0.0, 0.5));
   const Solution solution = solved(scene);
   const auto found = sensitivities(solution, true);
   ASSERT_TRUE(found && found->second);
@@ -471,8 +474,8 @@ TEST(Sensitivities, OfAUniformCylinderAreThoseOfTheCycloid) {
 /// The static angle, which the track begins with, moves with k too.
 TEST(Sensitivities, OfAUniformCylinderWithLittleGripAreThoseOfTheClosedForm) {
   const double mu = 0.5;
-  const Scene scene =
-      under(scene_of(Body::cylinder(1.0 / 3.0, 0.0, 0.0, 0.5)), friction(mu));
+  const Scene scene = under(
+      scene_between(Body::cylinder(1.0 / 3.0, 0.0, 0.0, 0.5)), friction(mu));
   const auto found = sensitivities(solved(scene));
   ASSERT_TRUE(found);
 
@@ -518,7 +521,7 @@ TEST_P(WithoutOffset, ByOffsetAreRegular) {
 }
 
 Scene uniform(Contact contact = Contact::Smooth) {
-  return scene_of(Body::cylinder(1.0 / 3.0, 0.0, 0.7, 0.5), contact);
+  return scene_between(Body::cylinder(1.0 / 3.0, 0.0, 0.7, 0.5), contact);
 }
 INSTANTIATE_TEST_SUITE_P(
     Scenes, WithoutOffset,
@@ -562,12 +565,12 @@ TEST_P(SecondDerivativesOf, AreTheSlopesOfTheFirst) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, SecondDerivativesOf,
-                         ::testing::Values(Case{"Reference",
-                                                scene_of(reference_body())},
-                                           Case{"Backwards", backwards()},
-                                           push(), through_a_surface()),
-                         [](const auto& one) { return one.param.test; });
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, SecondDerivativesOf,
+    ::testing::Values(Case{"Reference", scene_between(reference_body())},
+                      Case{"Backwards", backwards()}, push(),
+                      through_a_surface()),
+    [](const auto& one) { return one.param.test; });
 
 /// Of an extremal in lanes by shots. What differs is theirs: of steps that
 /// change T by less than 1e-11, a hundred times as much of its derivatives.
@@ -583,14 +586,14 @@ Solution solved_in_lanes(const Scene& scene) {
 
 Scene for_lanes(double eta_m, double theta_m, double k,
                 Contact contact = Contact::Smooth) {
-  Scene scene = scene_of(Body::cylinder(0.3, eta_m, theta_m, k), contact);
+  Scene scene = scene_between(Body::cylinder(0.3, eta_m, theta_m, k), contact);
   scene.L = 2.5;
   scene.H = 1.2;
   return scene;
 }
 /// It turns some four times on its way: a shot depends closely on its radius.
 Scene push_of_a_small_body() {
-  Scene scene = scene_of(Body::cylinder(0.1725, 0.798, 0.287, 0.108));
+  Scene scene = scene_between(Body::cylinder(0.1725, 0.798, 0.287, 0.108));
   scene.L = 4.0;
   return with_push(scene, 1.5);
 }

@@ -18,6 +18,7 @@
 #include "model/field.hpp"
 #include "study/answer_kinds.hpp"
 #include "support/scenes.hpp"
+#include "support/verified.hpp"
 #include "support/world_scenes.hpp"
 #include "transcription/start_equation.hpp"
 
@@ -30,11 +31,6 @@ using ::testing::Not;
 SolveOptions accurate() {
   SolveOptions options;
   options.use<Collocation>().discretisation.tolerance = 1e-12;
-  return options;
-}
-SolveOptions by_shooting() {
-  SolveOptions options;
-  options.method = Shooting{};
   return options;
 }
 

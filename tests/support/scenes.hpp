@@ -6,13 +6,10 @@
 
 #pragma once
 
-#include <numbers>
-
 #include "brachisto/model/scene.hpp"
+#include "support/numbers.hpp"
 
 namespace brachisto::testing {
-
-inline constexpr double kPi = std::numbers::pi;
 
 [[nodiscard]] inline Scene scene_of(const Body& body) {
   Scene scene;

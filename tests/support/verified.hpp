@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// Whole solves that have to be verified.
+/// Whole solves, and those that have to be verified.
 
 #pragma once
 
@@ -11,6 +11,13 @@
 #include "brachisto/study/solve.hpp"
 
 namespace brachisto::testing {
+
+/// By the indirect method.
+[[nodiscard]] inline SolveOptions by_shooting() {
+  SolveOptions options;
+  options.method = Shooting{};
+  return options;
+}
 
 /// Solves `scene`; a check that fails is a failure of the test that names it.
 [[nodiscard]] inline Solution verified(const Scene& scene,

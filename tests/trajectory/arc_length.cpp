@@ -24,7 +24,7 @@ namespace {
 
 constexpr int kPieces = 200;
 // Relative error of T at N = 200: 9.1e-6; its estimate.
-constexpr double kError = 1.4e-5;
+constexpr double kErrorOfPieces = 1.4e-5;
 
 /// A solution with its contact closed, from an end angle next to it.
 struct ArcCase {
@@ -46,14 +46,14 @@ struct ArcCase {
     point = result.point;
     phi = result.phi;
   }
-  [[nodiscard]] Certificate certificate(double error = kError) {
+  [[nodiscard]] Certificate certificate(double error = kErrorOfPieces) {
     EXPECT_TRUE(problem.set_point(point.x));
     const ArcLengthMotion motion(problem, point.x, problem.eval_f(), phi, scene,
                                  natural_units(scene));
     return certify(problem, point, phi, motion, error);
   }
   /// Names of the checks that fail.
-  [[nodiscard]] std::vector<std::string> failed(double error = kError) {
+  [[nodiscard]] std::vector<std::string> failed(double error = kErrorOfPieces) {
     std::vector<std::string> names;
     for (const Check& check : certificate(error).checks) {
       if (!check.passed) names.push_back(check.name);

@@ -12,6 +12,7 @@
 #include <limits>
 #include <numbers>
 
+#include "support/numbers.hpp"
 #include "trajectory/solved_case.hpp"
 
 namespace brachisto {
@@ -19,9 +20,9 @@ namespace {
 
 using enum StateComponent;
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
+using testing::kNaN;
 using testing::SolvedCase;
 using CertificateOf = SolvedCase;
 

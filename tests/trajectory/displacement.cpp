@@ -17,6 +17,7 @@
 #include "brachisto/study/solve.hpp"
 #include "model/plane_curve.hpp"
 #include "support/scenes.hpp"
+#include "support/verified.hpp"
 #include "support/world_scenes.hpp"
 #include "trajectory/prescribed_motion.hpp"
 
@@ -28,12 +29,6 @@ constexpr int kStretches = 5;
 Scene with_friction(Scene scene, double mu) {
   scene.limits.friction = mu;
   return scene;
-}
-
-Solution solved(const Scene& scene) {
-  Solution solution = solve(scene);
-  EXPECT_TRUE(solution.verified()) << solution.message;
-  return solution;
 }
 
 /// T on the path of the centre of a motion displaced by ε(s) between two
@@ -92,7 +87,7 @@ TEST(Displacement, AgreesWithWholeEvaluationsOfTheDisplacedPaths) {
   for (const Scene& scene :
        {bead_scene(), uniform_scene(), off_centred_scene(0.3),
         with_push(off_centred_scene(0.3), 2.0)}) {
-    expect_as_whole_evaluations(*solved(scene).motion());
+    expect_as_whole_evaluations(*verified(scene).motion());
   }
 }
 
@@ -103,7 +98,7 @@ TEST(Displacement, AgreesWithThemUnderLimits) {
        {with_friction(uniform_scene(), 0.5),
         with_friction(off_centred_scene(), 1.0), pressed,
         with_friction(in_air(uniform_scene(), 0.1, 0.05), 0.5)}) {
-    expect_as_whole_evaluations(*solved(scene).motion());
+    expect_as_whole_evaluations(*verified(scene).motion());
   }
 }
 
@@ -112,7 +107,7 @@ TEST(Displacement, AgreesWithThemInAir) {
        {in_air(bead_scene(), 0.0, 0.3), in_air(uniform_scene(), 0.5, 0.0),
         in_air(off_centred_scene(0.3), 0.1, 0.05),
         with_push(in_air(off_centred_scene(0.3), 0.1, 0.05), 2.0)}) {
-    expect_as_whole_evaluations(*solved(scene).motion());
+    expect_as_whole_evaluations(*verified(scene).motion());
   }
 }
 
@@ -122,7 +117,7 @@ TEST(Displacement, AgreesWithThemInTheFieldOfASphere) {
         about_sphere(off_centred_scene(0.3), around()),
         about_sphere(uniform_scene(), in_the_way()),
         in_air(about_sphere(off_centred_scene(0.3), around()), 0.1, 0.05)}) {
-    expect_as_whole_evaluations(*solved(scene).motion());
+    expect_as_whole_evaluations(*verified(scene).motion());
   }
 }
 
@@ -143,7 +138,7 @@ TEST(Displacement, OfAnExtremalIsOfTheSecondOrder) {
         in_air(uniform_scene(), 0.5, 0.0),
         in_air(off_centred_scene(0.3), 0.1, 0.05),
         about_sphere(off_centred_scene(0.3), around())}) {
-    const Solution solution = solved(scene);
+    const Solution solution = verified(scene);
     const Motion& motion = *solution.motion();
     const double height = 1e-3 * scene.H;
     const auto once = displaced_stretches(motion, kStretches, height);

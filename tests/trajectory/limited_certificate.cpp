@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "brachisto/math/index.hpp"
 #include "support/limited_answer.hpp"
 #include "trajectory/certify.hpp"
 
@@ -20,12 +21,8 @@ namespace {
 
 using enum StateComponent;
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
 /// Relative error of T, with room.
-constexpr double kError = 1e-10;
+constexpr double kLimitedError = 1e-10;
 
 class LimitedCertificate : public ::testing::TestWithParam<const char*> {
  protected:
@@ -41,7 +38,8 @@ class LimitedCertificate : public ::testing::TestWithParam<const char*> {
     return answer().problem().layout();
   }
   [[nodiscard]] Certificate certificate(double mismatch = 0.0) const {
-    return certify(LimitedCurve(answer().problem(), point), mismatch, kError);
+    return certify(LimitedCurve(answer().problem(), point), mismatch,
+                   kLimitedError);
   }
   [[nodiscard]] bool passes(const std::string& check,
                             double mismatch = 0.0) const {
@@ -205,7 +203,7 @@ TEST(LimitedCertificateOfATrack, ThatIsTooSteepForItsLimitsFails) {
   const LimitedTime harder(curve.problem().scene(), limits,
                            curve.problem().mesh(), curve.problem().ends());
   const Certificate result =
-      certify(LimitedCurve(harder, curve.point()), 0.0, kError);
+      certify(LimitedCurve(harder, curve.point()), 0.0, kLimitedError);
 
   ASSERT_NE(result.find("limits"), nullptr);
   EXPECT_FALSE(result.find("limits")->passed);
@@ -222,7 +220,7 @@ Certificate as_answer_to(const Scene& asked, const LimitedCurve& curve) {
       LimitedCurve(LimitedTime(asked, problem.limits(), problem.mesh(),
                                problem.ends(), problem.held()),
                    curve.point()),
-      0.0, kError);
+      0.0, kLimitedError);
 }
 
 /// Whatever shape the body has: a bead's contact at B has no part in its slope.
@@ -279,7 +277,7 @@ TEST(LimitedCertificateOfATrack, ThatKeepsLimitsAtItsPointsAloneFails) {
   }
 
   const Certificate result =
-      certify(LimitedCurve(curve.problem(), point), 0.0, kError);
+      certify(LimitedCurve(curve.problem(), point), 0.0, kLimitedError);
 
   EXPECT_FALSE(result.find("limits")->passed);
   EXPECT_NE(result.find("limits")->where.find("floor"), std::string::npos)

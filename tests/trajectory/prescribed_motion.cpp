@@ -20,22 +20,17 @@
 #include "brachisto/math/clock.hpp"
 #include "math/cpu_clock.hpp"
 #include "model/cycloid.hpp"
+#include "support/scenes.hpp"
 #include "trajectory/certify.hpp"
 
 namespace brachisto {
 namespace {
 
+using testing::scene_of;
+
 constexpr double kGravity = 9.81;
 constexpr double kVertical = 0.5 * std::numbers::pi;
 constexpr double kRounding = 1e-12;  // of T, relative; see kTolerance there
-
-Scene scene_of(const Body& body) {
-  Scene scene;
-  scene.body = body;
-  scene.L = 3.0;
-  scene.H = 1.0;
-  return scene;
-}
 
 double time_on(const Body& body, const PlaneCurvePtr& centre) {
   const PrescribedMotion motion(scene_of(body), centre);

@@ -11,6 +11,7 @@
 #include <limits>
 #include <numbers>
 
+#include "brachisto/math/index.hpp"
 #include "brachisto/solvers/program_solvers.hpp"
 #include "model/start_angle.hpp"
 #include "solvers/inertia.hpp"
@@ -24,12 +25,6 @@ namespace brachisto::testing {
 namespace {
 
 using enum StateComponent;
-
-constexpr double kError = 1e-10;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 struct Answer {
   RollingTime problem;
@@ -60,7 +55,8 @@ TEST(Refused, IsTheAnswerForAnotherBody) {
   const Answer answer = answer_to(other, mesh);
   RollingTime problem(in_natural_units(off_centred_scene()), mesh, 0.0);
 
-  const Certificate result = certify(problem, answer.point, answer.phi, kError);
+  const Certificate result =
+      certify(problem, answer.point, answer.phi, kSolvedError);
 
   EXPECT_FALSE(result.verified());
   EXPECT_FALSE(passes(result, "kkt_residual"));
@@ -81,7 +77,8 @@ TEST(Refused, IsTheAnswerForABodyThatDiffersInOneNumberOnly) {
     if (change == 4) scene.H += 1e-5;
     RollingTime problem(in_natural_units(scene), mesh, 0.0);
 
-    EXPECT_FALSE(certify(problem, answer.point, answer.phi, kError).verified())
+    EXPECT_FALSE(
+        certify(problem, answer.point, answer.phi, kSolvedError).verified())
         << "change " << change;
   }
 }
@@ -123,7 +120,7 @@ TEST(Refused, IsATrackWithItsLastSlopesBent) {
   }
   for (const double phi : {answer.phi, answer.phi + 0.3}) {
     const Certificate result =
-        certify(answer.problem, answer.point, phi, kError);
+        certify(answer.problem, answer.point, phi, kSolvedError);
 
     EXPECT_FALSE(result.verified()) << phi;
     EXPECT_FALSE(passes(result, "kkt_residual")) << phi;
@@ -168,7 +165,7 @@ TEST(Refused, IsAFlyingStart) {
     Answer answer = with_start_speed(off_centred_scene(), start_speed);
 
     const Certificate result =
-        certify(answer.problem, answer.point, answer.phi, kError);
+        certify(answer.problem, answer.point, answer.phi, kSolvedError);
 
     EXPECT_FALSE(result.verified()) << start_speed;
     EXPECT_TRUE(passes(result, "kkt_residual")) << start_speed;
@@ -187,7 +184,7 @@ TEST(Refused, IsTheEnergyCountedFromAInsteadOfTheStartOfTheCentre) {
   Answer answer = with_start_speed(scene, speed);
 
   const Certificate result =
-      certify(answer.problem, answer.point, answer.phi, kError);
+      certify(answer.problem, answer.point, answer.phi, kSolvedError);
 
   EXPECT_FALSE(result.verified());
   EXPECT_FALSE(passes(result, "defects"));
@@ -200,7 +197,7 @@ TEST(Refused, AreMultipliersOfTheWrongSign) {
   for (double& value : answer.point.lambda) value = -value;
 
   const Certificate result =
-      certify(answer.problem, answer.point, answer.phi, kError);
+      certify(answer.problem, answer.point, answer.phi, kSolvedError);
 
   EXPECT_FALSE(result.verified());
   EXPECT_FALSE(passes(result, "kkt_residual"));
@@ -249,7 +246,7 @@ TEST(Refused, IsALoop) {
   }
 
   const Certificate result =
-      certify(answer.problem, answer.point, answer.phi, kError);
+      certify(answer.problem, answer.point, answer.phi, kSolvedError);
 
   EXPECT_FALSE(result.verified());
   EXPECT_FALSE(passes(result, "slope_angle"));

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "brachisto/math/index.hpp"
 #include "brachisto/nlp/problem.hpp"
 #include "transcription/rolling_time.hpp"
 
@@ -71,10 +72,6 @@ class SlidingEnd final : public nlp::Problem {
   }
 
  private:
-  [[nodiscard]] static std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-  }
-
   bool do_set_point(std::span<const double> x) override {
     x_.assign(x.begin(), x.end());
     return problem_.set_point(x);

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 
+#include "brachisto/math/index.hpp"
 #include "support/observed_order.hpp"
 #include "support/rounding.hpp"
 #include "support/scenes.hpp"
@@ -15,10 +16,6 @@
 
 namespace brachisto::testing {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Ipopt's tolerance on the KKT residual, and what multipliers make of it: the
 /// problems here are in natural units and well conditioned, and a costate is a

@@ -39,7 +39,7 @@ const ExtremalCurve& exact_curve(double theta_m) {
   const auto known = curves.find(theta_m);
   if (known != curves.end()) return known->second;
   SolveOptions options;
-  Discretisation& mesh = options.use<Collocation>().discretisation;
+  Discretisation& mesh = options.use<brachisto::Collocation>().discretisation;
   mesh.degree = 8;
   mesh.elements = 40;
   const Solution solution = solve(between_centres(theta_m), options);
@@ -55,10 +55,6 @@ ExtremalCurve curve_on(const Mesh& mesh, double theta_m) {
       solve_with_newton(problem, prolong(exact, problem));
   EXPECT_EQ(result.status, Status::Solved);
   return {problem, result.point};
-}
-
-double sum(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
 struct Case {
@@ -92,7 +88,9 @@ TEST_P(ElementErrors, AddUpToTheErrorOfTheTime) {
         curve_on(uniform_mesh(c.degree, c.elements[i]), c.theta_m);
     const double error = exact - curve.transit_time();
     ASSERT_GT(std::abs(error), 1e-12) << c.elements[i];
-    off[i] = std::abs(sum(element_errors(curve)) / error - 1.0);
+    const std::vector<double> shares = element_errors(curve);
+    const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
+    off[i] = std::abs(sum / error - 1.0);
   }
 
   // Any wrong factor in the shares would show as a half or more.

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 
+#include "brachisto/math/index.hpp"
 #include "support/observed_order.hpp"
 #include "support/rounding.hpp"
 #include "support/scenes.hpp"
@@ -18,10 +19,6 @@ namespace brachisto::testing {
 namespace {
 
 using enum StateComponent;
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 TEST(ExtremalCurve, PassesThroughTheNodes) {
   for (const Scene& scene :

@@ -9,16 +9,13 @@
 #include <array>
 #include <cmath>
 
+#include "brachisto/math/index.hpp"
 #include "support/observed_order.hpp"
 #include "support/rounding.hpp"
 #include "support/scenes.hpp"
 
 namespace brachisto::testing {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 double largest_defect(RollingTime& problem, const PrimalDual& guess) {
   if (!problem.set_point(guess.x)) return std::nan("");

@@ -9,6 +9,7 @@
 #include <limits>
 #include <set>
 
+#include "brachisto/math/index.hpp"
 #include "model/start_angle.hpp"
 #include "support/limited_problems.hpp"
 #include "support/rounding.hpp"
@@ -20,10 +21,6 @@ using enum StateComponent;
 using nlp::Held;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 TEST(LimitedTimeSize, FollowsFromStatesLimitsAndContacts) {
   for (const Scene& scene :

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 
+#include "brachisto/math/index.hpp"
 #include "brachisto/nlp/problem.hpp"
 #include "support/observed_order.hpp"
 #include "support/rounding.hpp"
@@ -16,10 +17,6 @@
 
 namespace brachisto::testing {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 TEST(Prolongation, ToTheSameMeshChangesNothing) {
   for (const Scene& scene : {natural(bead_scene()), natural(uniform_scene()),

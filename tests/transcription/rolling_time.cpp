@@ -7,10 +7,11 @@
 
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
-#include <limits>
 #include <set>
 
+#include "brachisto/math/index.hpp"
 #include "model/start_angle.hpp"
+#include "support/numbers.hpp"
 #include "support/random_points.hpp"
 #include "support/rounding.hpp"
 #include "support/scenes.hpp"
@@ -19,12 +20,6 @@ namespace brachisto::testing {
 namespace {
 
 using enum StateComponent;
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 TEST(RollingTimeSize, OfAnOffCentredBodyFollowsFromItsFourStates) {
   for (int p = 1; p <= 8; ++p) {

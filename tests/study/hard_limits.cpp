@@ -61,29 +61,6 @@ TEST(HardLimits, APathGoesRoundADiscOnTheSideThatIsOpen) {
   }
 }
 
-/// Where its greatest load gives way to friction both hold, and costates jump:
-/// twice.
-TEST(HardLimits, LimitsFromOppositeSidesBothHoldAtAJunction) {
-  PathLimits limits;
-  limits.friction = 0.233;
-  limits.normal_max = 1.642;
-  Scene scene = cylinder_scene(0.2389, 0.503, -51.02, 0.487, 2.876, limits);
-  scene.world.air.linear = 0.16;
-  scene.world.air.quadratic = 0.069;
-
-  const Solution solution = solve(scene);
-
-  ASSERT_TRUE(solution.verified()) << solution.message;
-  // By multiple shooting.
-  EXPECT_NEAR(solution.motion()->tau(), 6.04104416534, 1e-9);
-  const std::vector<ActiveArc>& friction = solution.limits[0].active;
-  const std::vector<ActiveArc>& load = solution.limits[1].active;
-  ASSERT_EQ(friction.size(), 3U);
-  ASSERT_EQ(load.size(), 4U);
-  EXPECT_EQ(load[0].sigma.to, friction[1].sigma.from);
-  EXPECT_EQ(load[2].sigma.to, friction[2].sigma.from);
-}
-
 /// T is right to 1e-13 on elements that leave 3e-10 in the motion next to the
 /// end of an arc, where curvature grows steeply.
 TEST(HardLimits, ElementsAreHalvedUntilTheMotionIsAsAccurateAsTheTime) {

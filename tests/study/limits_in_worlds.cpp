@@ -194,5 +194,29 @@ INSTANTIATE_TEST_SUITE_P(Scenes, LimitsInAWorld,
                          ::testing::ValuesIn(limited_rows()),
                          [](const auto& row) { return row.param.name; });
 
+/// Where its greatest load gives way to friction both hold, and costates jump:
+/// twice.
+TEST(LimitsFromOppositeSides, BothHoldAtAJunction) {
+  Scene scene;
+  scene.L = 2.876;
+  scene.H = 1.0;
+  scene.body = Body::cylinder(0.2389, 0.503, -51.02 * kPi / 180.0, 0.487);
+  scene.limits.friction = 0.233;
+  scene.limits.normal_max = 1.642;
+  scene = in_air(scene, 0.16, 0.069);
+
+  const Solution solution = solve(scene);
+
+  ASSERT_TRUE(solution.verified()) << solution.message;
+  // By multiple shooting.
+  EXPECT_NEAR(solution.motion()->tau(), 6.04104416534, 1e-9);
+  const std::vector<ActiveArc>& friction = solution.limits[0].active;
+  const std::vector<ActiveArc>& load = solution.limits[1].active;
+  ASSERT_EQ(friction.size(), 3U);
+  ASSERT_EQ(load.size(), 4U);
+  EXPECT_EQ(load[0].sigma.to, friction[1].sigma.from);
+  EXPECT_EQ(load[2].sigma.to, friction[2].sigma.from);
+}
+
 }  // namespace
 }  // namespace brachisto

@@ -61,9 +61,7 @@ class LimitedSolve {
       answer_ = answer_without_arcs(*ways_->mesh(), protocol_);
     } else {
       if (protocol_.worked_enough()) {
-        protocol_.tries(
-            "until its share of the work that solver.limits.iterations allows "
-            "was used up");
+        protocol_.tries("until its share of work was used up");
         // That of an empty set takes all of it; the proof takes none.
         if (protocol_.status != Status::NoAdmissiblePath) {
           ways_->tightening().is_shut();
@@ -107,9 +105,11 @@ class LimitedSolve {
           field_kind(scene_.world)->surface);
     }
     const double work = protocol_.work;
-    if (protocol_.worked_enough()) {
-      protocol_.tries(
-          "until the work that solver.limits.iterations allows was used up");
+    if (cut_short_ || protocol_.worked_enough()) {
+      protocol_.tries(fmt::format(
+          "until all the work of a search was used up (more is allowed by "
+          "solver.limits.iterations above {})",
+          Limits{}.iterations));
     }
     std::vector<std::string> tried = std::move(protocol_.tried);
     return {std::move(protocol_).finished(),
@@ -175,38 +175,40 @@ class LimitedSolve {
 
   // ---- From limits that ask for less, each step an answer to them.
 
-  /// Of what is left, to find a path under some of them, or to follow it.
+  /// Share of the work left that one attempt may take, to find a path under
+  /// some of them or to follow one.
   static constexpr double kOfALeap = 0.15;
 
   void come_from_looser() {
     protocol_.tries("from looser limits");
-    // The loosest first: what has a path mostly takes little to find one, what
-    // has none takes all it is given.
+    // The loosest first: where there is a path it is mostly found soon; limits
+    // under which there is none use up all they are given.
     for (const double by : {1.0, 0.6, 0.2, 0.05}) {
       auto path = path_under(by, &LimitedWays::find, kOfALeap);
       if (path) return tighten(*std::move(path));
-      if (stopped()) return;
+      if (shut_ || stopped()) return;
     }
   }
 
-  /// With a share of the work and the iterations that are left.
+  /// With a share of the work that is left, and all iterations.
   /// \param find  by some of the ways
   [[nodiscard]] std::optional<LoosenedPath> path_under(
       double by,
       const std::function<std::optional<FittedPath>(LimitedWays&)>& find,
       double share = 0.5) {
     const PhaseTimer timer(Phase::Start);
-    const PassProtocol::Share part(protocol_, share);
     MeshOptions options = options_;
     options.ipopt = protocol_.left(options.ipopt);
     if (options.ipopt.max_iterations <= 0) return std::nullopt;
     const Scene looser = loosened(scene_, by);
     PassProtocol protocol(options);
-    protocol.most_work = protocol_.most_work - protocol_.work;
+    protocol.most_work = share * (protocol_.most_work - protocol_.work);
     LimitedWays ways(looser, wanted_, *free_, phi_, options, protocol);
-    if (by > 0.0 && ways.tightening().is_shut()) return std::nullopt;
+    shut_ = by > 0.0 && ways.tightening().is_shut();
+    if (shut_) return std::nullopt;
     std::optional<FittedPath> path = find(ways);
     protocol_.work += protocol.work;
+    cut_short_ = cut_short_ || protocol.worked_enough();
     RefinementProtocol done = std::move(protocol).finished();
     std::ranges::move(done.meshes, std::back_inserter(protocol_.meshes));
     protocol_.log += done.log;
@@ -217,8 +219,8 @@ class LimitedSolve {
 
   /// To the limits of the scene, or else the tightest are kept, with the reason
   /// of the first attempt. Where arcs cannot be followed further the program is
-  /// solved from there, under limits half-way to those or nearer, until what is
-  /// left of the way is nothing that anyone would ask for.
+  /// solved from there, under limits half of the way to those, or less where
+  /// that fails, until what is left of it is nothing that anyone would ask for.
   void tighten(LoosenedPath path) {
     constexpr double kLongest = 0.5, kShortest = 0.05;
     constexpr double kNear = 0.02, kNothing = 1e-3;
@@ -226,23 +228,31 @@ class LimitedSolve {
     const std::string message = protocol_.message;
     loosened_.push_back(std::move(path));
     follow_tighter();
-    for (double leap = kLongest; leap > kShortest && !stopped();) {
+    double asked_below = kNear;  // the limits asked for are tried, twice
+    for (double leap = kLongest; leap > kShortest;) {
       const LoosenedPath reached = loosened_.back();
-      if (reached.by == 0.0) take(reached);
-      if (reached.by < kNothing || status == Status::NoSmoothContact) break;
-      const double closer = reached.by * (1.0 - leap);
-      const double next = leap == kLongest && closer < kNear ? 0.0 : closer;
-      auto there = path_under(
+      if (reached.by == 0.0) {
+        take(reached);
+        break;
+      }
+      const bool there = reached.by < kNothing && asked_below == 0.0;
+      if (there || stopped() || status == Status::NoSmoothContact) break;
+      double next = reached.by * (1.0 - leap);
+      if (next < asked_below) {
+        next = 0.0;
+        asked_below = asked_below > kNothing ? kNothing : 0.0;
+      }
+      auto found = path_under(
           next,
           [&](LimitedWays& ways) {
             return ways.from_beside(reached.path.curve);
           },
           kOfALeap);
-      if (!there && next > 0.0) {
-        there = path_under(next, &LimitedWays::find, kOfALeap);
+      if (!found && next > 0.0 && !shut_ && !stopped()) {
+        found = path_under(next, &LimitedWays::find, kOfALeap);
       }
-      if (there) {
-        loosened_.push_back(*std::move(there));
+      if (found) {
+        loosened_.push_back(*std::move(found));
         follow_tighter();
       } else {
         leap *= 0.5;
@@ -259,7 +269,7 @@ class LimitedSolve {
   }
   void follow_tighter() {
     const LoosenedPath from = loosened_.back();
-    if (!from.knows_arcs()) return;
+    if (from.by == 0.0 || !from.knows_arcs()) return;
     const PassProtocol::Share part(protocol_, kOfALeap);
     const auto left = [&](double share) { return from.by * (1.0 - share); };
     const auto stage_at = [&](double share) {
@@ -286,6 +296,8 @@ class LimitedSolve {
   std::optional<LimitedAnswer> answer_;
   std::vector<LoosenedPath> loosened_;
   bool from_random_ = false;
+  bool shut_ = false;  ///< the way, under the limits that were looked at last
+  bool cut_short_ = false;  ///< some attempt, for want of work
 };
 
 }  // namespace

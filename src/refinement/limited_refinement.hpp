@@ -62,9 +62,9 @@ struct LimitedRefinement : RefinementProtocol {
 ///   the result exceeds a limit or has a multiplier of the wrong sign the arcs
 ///   are corrected; if no arcs fit, the coarse mesh is made finer and they are
 ///   read off again, or followed from the loosest limits on. Where that leads
-///   nowhere the scene is solved under limits loosened more and more, and these
-///   are tightened as far as a path follows them, or the program, solved from
-///   the last path, finds one further on.
+///   nowhere the scene is solved under much looser limits, and these are
+///   tightened as far as a path follows them, or the program, solved from the
+///   last path or like a scene of its own, finds one further on.
 /// - Random paths: if no way from the free path leads anywhere, cold_paths().
 /// - Without arcs: if none fit, the program itself is solved on finer and finer
 ///   meshes, and arcs are read off again. Where these do not fit either that

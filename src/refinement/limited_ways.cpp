@@ -24,11 +24,15 @@ LimitedWays::LimitedWays(const Scene& scene, const Discretisation& wanted,
 
 std::optional<FittedPath> LimitedWays::from_beside(const LimitedCurve& path) {
   if (!tightening_.tighten_from(path)) return std::nullopt;
-  return from_tight(tightening_.last());
+  return from_tight();
 }
 
 std::optional<FittedPath> LimitedWays::from_tight(const LimitedCurve& found) {
   tightening_.take_tight(found);
+  return from_tight();
+}
+
+std::optional<FittedPath> LimitedWays::from_tight() {
   auto path = read_off();
   if (!path && !ended()) path = from_mesh();
   return path;

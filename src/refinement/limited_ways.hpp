@@ -52,6 +52,9 @@ class LimitedWays {
  private:
   [[nodiscard]] std::string only_on_coarse_mesh() const;
 
+  /// What the coarse path that tightening() ended with leads to.
+  [[nodiscard]] std::optional<FittedPath> from_tight();
+
   /// From what the interior-point method found.
   [[nodiscard]] std::optional<FittedPath> read_off();
   [[nodiscard]] std::optional<FittedPath> arcs_from(const LimitedCurve& mesh);

@@ -38,8 +38,9 @@ struct PassProtocol : RefinementProtocol {
         most_iterations(options.ipopt.max_iterations),
         stop(options.ipopt.stop) {}
 
-  void tries(const char* way) {
-    if (std::ranges::find(tried, way) == tried.end()) tried.emplace_back(way);
+  void tries(std::string way) {
+    if (std::ranges::find(tried, way) != tried.end()) return;
+    tried.push_back(std::move(way));
   }
 
   /// \return false, for callers that tell so whether they found anything

@@ -91,8 +91,8 @@ TEST(RelaxedLimits, AreCertifiedAfterASearchThatTookMoreThanItsShare) {
   EXPECT_TRUE(solution.relaxed->verified());
 }
 
-/// Of twenty random paths all keep limits loosened by 0.54: a program on one
-/// mesh, elastic at once, finds these without any way of the search.
+/// Measured with benchmark_cold_starts: from each of twenty random paths a
+/// program on one mesh, no part of the search, keeps limits loosened by 0.54.
 TEST(RelaxedLimits, AreTighterThanWhatRandomPathsKeepAtOnce) {
   Scene scene;
   scene.L = 1.354;

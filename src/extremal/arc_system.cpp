@@ -64,6 +64,16 @@ int ArcSystem::Linearisation::worst_node() const {
   return static_cast<int>(worst - links.begin());
 }
 
+void ArcSystem::Linearisation::take_values(const Linearisation& other) {
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    links[i].residual = other.links[i].residual;
+  }
+  transit_time = other.transit_time;
+  slope_at_A.value = other.slope_at_A.value;
+  slope_at_B.value = other.slope_at_B.value;
+  steps = other.steps;
+}
+
 ArcSystem::ArcSystem(const Scene& natural, const Guess& guess, int pieces)
     : scene_(natural),
       arcs_(guess.arcs),

@@ -93,6 +93,8 @@ class ArcSystem {
     [[nodiscard]] double norm() const;
     /// The node whose equations are met least.
     [[nodiscard]] int worst_node() const;
+    /// Residual and T of another one, the derivatives kept.
+    void take_values(const Linearisation& other);
   };
   /// False where a piece cannot be integrated.
   /// \param derivatives  whether more than the residual is asked for

@@ -4,9 +4,11 @@
 #include "model/loaded_fall.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -201,14 +203,15 @@ class HighestEnergies {
     double height;
     bool raised;
   };
-  /// How far a slope turns within a step at most.
+  using Bounds = std::vector<CurvatureBound>;
+  /// How far a slope turns within a step at most, by level.
   struct Way {
-    double up = 0.0, down = 0.0;
+    int up = 0, down = 0;
   };
   /// What holds within a step from a slope on.
   struct Cell {
     Interval E, beta;  ///< that it may come to
-    std::vector<CurvatureBound> up, down;
+    Bounds up, down;
     double gain = 0.0;    ///< of E
     double most = kNone;  ///< E from which no curvature keeps all limits
   };
@@ -263,8 +266,7 @@ class HighestEnergies {
     return r * least;
   }
 
-  [[nodiscard]] static double least(const std::vector<CurvatureBound>& bounds,
-                                    const Interval& E) {
+  [[nodiscard]] static double least(const Bounds& bounds, const Interval& E) {
     double out = kNone;
     for (const CurvatureBound& bound : bounds) {
       out = std::min(out, bound.over(E));
@@ -283,7 +285,7 @@ class HighestEnergies {
                ? within_step_ + bound.by_energy / (curvature - bound.constant)
                : 0.0;
   }
-  [[nodiscard]] double most_energy(const std::vector<CurvatureBound>& bounds,
+  [[nodiscard]] double most_energy(const Bounds& bounds,
                                    double curvature) const {
     double out = kNone;
     for (const CurvatureBound& bound : bounds) {
@@ -294,45 +296,60 @@ class HighestEnergies {
 
   [[nodiscard]] double floor() const { return counted_ + within_step_; }
 
-  static void bound(std::vector<CurvatureBound>& out,
-                    const std::vector<SideOfForce>& forces, double curvature,
-                    const TurningPoint<Interval>& at,
-                    const ContactForce<Interval>& at_rest) {
-    out.clear();
-    if (curvature < kNone) out.push_back({curvature, 0.0});
-    for (const SideOfForce& force : forces) {
-      const CurvatureBound found = force.over(at, at_rest);
-      if (found.constant < kNone) out.push_back(found);
-    }
+  /// So far beyond the slopes of a cell it is looked, at a level.
+  static constexpr double kNearest = 0.005;
+  static constexpr int kLevels = 11;  ///< to a whole turn
+  [[nodiscard]] static double beyond(int level) {
+    return std::ldexp(kNearest, level);
   }
-
-  /// What turns the body to one side within a step, and how far at most. It
-  /// holds up to `by` beyond its slopes: along the last stretch of a way that
-  /// ends there.
-  void look(std::vector<CurvatureBound>& out, double side, double& by,
-            const Interval& theta, const Interval& slopes) const {
-    constexpr double kLeast = 0.005;
-    for (by = std::max(kLeast, 0.5 * by); by <= kTurn; by *= 2.0) {
-      const Interval beta(slopes.lower - (side < 0.0 ? by : 0.0),
-                          slopes.upper + (side > 0.0 ? by : 0.0));
-      const TurningPoint<Interval> at{0.0, 0.0, theta, 0.0, beta, 0.0};
-      const ContactForce<Interval> at_rest = lossless_contact_force(scene_, at);
-      bound(out, side > 0.0 ? up_ : down_, side > 0.0 ? hump_ : valley_, at,
-            at_rest);
-      if (turned_ * least(out, here_.E) <= by) return;
+  /// What turns the body to one side from a cell, at each level, if it was
+  /// asked for. It is the same for all E.
+  struct Side {
+    double sign;
+    std::array<std::optional<Bounds>, kLevels> bounds = {};
+  };
+  const Bounds& bounds_at(Side& side, int level, const Interval& theta,
+                          const Interval& slopes) const {
+    std::optional<Bounds>& out = side.bounds[at(level)];
+    if (out) return *out;
+    const double by = beyond(level);
+    const Interval beta(slopes.lower - (side.sign < 0.0 ? by : 0.0),
+                        slopes.upper + (side.sign > 0.0 ? by : 0.0));
+    const TurningPoint<Interval> place{0.0, 0.0, theta, 0.0, beta, 0.0};
+    const ContactForce<Interval> at_rest =
+        lossless_contact_force(scene_, place);
+    out.emplace();
+    const double curvature = side.sign > 0.0 ? hump_ : valley_;
+    if (curvature < kNone) out->push_back({curvature, 0.0});
+    for (const SideOfForce& force : side.sign > 0.0 ? up_ : down_) {
+      const CurvatureBound found = force.over(place, at_rest);
+      if (found.constant < kNone) out->push_back(found);
     }
-    out.clear();
+    return *out;
+  }
+  /// What turns the body to one side within a step; nothing if that may be more
+  /// than a turn. It holds as far beyond its slopes as it lets it: along the
+  /// last stretch of a way that ends there.
+  /// \param level  [in,out] how far that is, from the next one below on
+  const Bounds& look(Side& side, int& level, const Interval& theta,
+                     const Interval& slopes) const {
+    static const Bounds kAnything;
+    for (level = std::max(0, level - 1); level < kLevels; ++level) {
+      const Bounds& found = bounds_at(side, level, theta, slopes);
+      if (turned_ * least(found, here_.E) <= beyond(level)) return found;
+    }
+    return kAnything;
   }
   /// What holds within a step from a slope on.
   /// \param E    at its beginning
   /// \param way  that of the slope before this one, with the like
-  void look_at(const Interval& theta, const Interval& slopes, const Interval& E,
-               Way& way) {
+  void look_at(Side& up, Side& down, const Interval& theta,
+               const Interval& slopes, const Interval& E, Way& way) {
     Cell& out = here_;
     out.E = {E.lower - within_step_, E.upper + within_step_};
-    look(out.up, 1.0, way.up, theta, slopes);
-    look(out.down, -1.0, way.down, theta, slopes);
-    out.beta = {slopes.lower - way.down, slopes.upper + way.up};
+    out.up = look(up, way.up, theta, slopes);
+    out.down = look(down, way.down, theta, slopes);
+    out.beta = {slopes.lower - beyond(way.down), slopes.upper + beyond(way.up)};
     out.most = kNone;
     for (const CurvatureBound& a : out.up) {
       for (const CurvatureBound& b : out.down) {
@@ -360,11 +377,12 @@ class HighestEnergies {
     for (int j = 0; j < kSlopes; ++j) {
       Energy& now = highest_[at(i)][at(j)];
       if (!std::exchange(now.raised, false)) continue;
+      Side up{1.0}, down{-1.0};
       std::size_t range = 0;
       for (double fast = now.height; fast > counted_; fast *= kSlower) {
         const Interval E(std::max(counted_, kSlower * fast), fast);
         if (range == ways_.size()) ways_.emplace_back();
-        look_at(theta, slopes(j), E, ways_[range++]);
+        look_at(up, down, theta, slopes(j), E, ways_[range++]);
         const double over_B = contact_radius(scene_) * cos(here_.beta).upper;
         if (fast + within_step_ >= at_B - over_B) return true;
         carry(next, j, std::min(fast, here_.most));

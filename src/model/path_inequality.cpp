@@ -88,9 +88,13 @@ double next_to(Point a, Point b, Point c) {
 
 Excess worst_excess(const std::vector<PathInequality>& limits,
                     const Scene& scene, const TurningPoint<double>& place) {
+  const bool forces =
+      std::ranges::any_of(limits, &PathInequality::bounds_force);
+  const ContactForce<double> force =
+      forces ? contact_force(scene, place) : ContactForce<double>{};
   Excess worst;
   for (std::size_t i = 0; i < limits.size(); ++i) {
-    const double value = value_of(limits[i], scene, place);
+    const double value = value_of(limits[i], force, place);
     const double below = limits[i].lower - value;
     const double above = value - limits[i].upper;
     if (std::isnan(value)) {

@@ -16,10 +16,11 @@ std::optional<double> start_angle_under(
   const Body& body = scene.body;
   const auto allowed = [&](double beta) {
     const TurningPoint<double> at = resting_at(scene, beta);
+    const ContactForce<double> force = contact_force(scene, at);
     double least = speed_gain(scene, at) / scene.gravity;
     for (const PathInequality& limit : limits) {
       if (!limit.bounds_force()) continue;
-      const double value = value_of(limit, scene, at);
+      const double value = value_of(limit, force, at);
       least = std::min({least, value - limit.lower, limit.upper - value});
     }
     return least;

@@ -181,13 +181,24 @@ class LimitedSolve {
 
   void come_from_looser() {
     protocol_.tries("from looser limits");
+    if (!ways_->tightening().is_shut()) open_from_ = 0.0;
     // The loosest first: where there is a path it is mostly found soon; limits
     // under which there is none use up all they are given.
     for (const double by : {1.0, 0.6, 0.2, 0.05}) {
       auto path = path_under(by, &LimitedWays::find, kOfALeap);
       if (path) return tighten(*std::move(path));
-      if (shut_ || stopped()) return;
+      if (by <= shut_to_ || stopped()) return;
     }
+  }
+
+  /// Whether the way is known to be shut under limits that are looser by so
+  /// much: where it is open it is so under looser ones, and the other way
+  /// round.
+  [[nodiscard]] bool is_shut(double by, Tightening& under_them) {
+    if (by >= open_from_ || by <= shut_to_) return by <= shut_to_;
+    const bool shut = under_them.is_shut();
+    (shut ? shut_to_ : open_from_) = by;
+    return shut;
   }
 
   /// With a share of the work that is left, and all iterations.
@@ -204,8 +215,7 @@ class LimitedSolve {
     PassProtocol protocol(options);
     protocol.most_work = share * (protocol_.most_work - protocol_.work);
     LimitedWays ways(looser, wanted_, *free_, phi_, options, protocol);
-    shut_ = by > 0.0 && ways.tightening().is_shut();
-    if (shut_) return std::nullopt;
+    if (by > 0.0 && is_shut(by, ways.tightening())) return std::nullopt;
     std::optional<FittedPath> path = find(ways);
     protocol_.work += protocol.work;
     cut_short_ = cut_short_ || protocol.worked_enough();
@@ -248,7 +258,7 @@ class LimitedSolve {
             return ways.from_beside(reached.path.curve);
           },
           kOfALeap);
-      if (!found && next > 0.0 && !shut_ && !stopped()) {
+      if (!found && next > shut_to_ && next > 0.0 && !stopped()) {
         found = path_under(next, &LimitedWays::find, kOfALeap);
       }
       if (found) {
@@ -296,7 +306,10 @@ class LimitedSolve {
   std::optional<LimitedAnswer> answer_;
   std::vector<LoosenedPath> loosened_;
   bool from_random_ = false;
-  bool shut_ = false;  ///< the way, under the limits that were looked at last
+  /// By how much looser limits are under which the way is known to be shut, and
+  /// from where on it is not.
+  double shut_to_ = -std::numeric_limits<double>::infinity();
+  double open_from_ = std::numeric_limits<double>::infinity();
   bool cut_short_ = false;  ///< some attempt, for want of work
 };
 

@@ -173,6 +173,7 @@ static void chain_factor(int, const int[], const int[], const double val[],
         std::span<const double>(val, matrix.num_entries)};
     scale_inequalities(matrix, val);
     const bool factorised = matrix.ldlt->factorise(values);
+    if (current != nullptr) current->effort += matrix.ldlt->effort();
     const Inertia& inertia = matrix.ldlt->inertia();
     // Ipopt answers both with a perturbation and another try.
     if (!factorised || inertia.zero > 0) info->flag = kMa97Singular;

@@ -46,6 +46,8 @@ struct ChainHook {
     int slack, multiplier;
   };
   std::vector<Inequality> inequalities;  ///< by unknowns
+  /// Of all factorisations, see ChainLdlt::effort().
+  double effort = 0.0;
   /// Why the matrix Ipopt came with is not the chain it should be; empty if it
   /// is. Ipopt itself then ends with an internal error.
   std::string refusal;

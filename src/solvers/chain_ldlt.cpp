@@ -176,6 +176,12 @@ void ChainLdlt::begin_run(const Run& run, Plan& plan) {
   }
 }
 
+double ChainLdlt::effort() const {
+  // Measured where elastic programs of bodies of many turns fail.
+  constexpr double kUpdatesPerUnknown = 500.0;
+  return map_.num_unknowns() + fronts_.updates() / kUpdatesPerUnknown;
+}
+
 bool ChainLdlt::factorise(EntryValues values) {
   values_.clear();
   for (const std::span<const double> array : values) {

@@ -70,6 +70,9 @@ class ChainLdlt {
 
   /// That of the last factorisation.
   [[nodiscard]] const Inertia& inertia() const { return inertia_; }
+  /// What it took: as much as that of so many unknowns whose links all kept
+  /// their pivots.
+  [[nodiscard]] double effort() const;
 
   /// Entries that are no part of the matrix, for one of their unknowns is
   /// absent and the other is not.

@@ -60,6 +60,7 @@ void FrontStack::clear() {
   rows_.clear();
   values_.clear();
   negative_ = zero_ = 0;
+  updates_ = 0.0;
 }
 
 /// Moves an acceptable pivot to k (and k + 1).
@@ -190,6 +191,7 @@ void FrontStack::eliminate(Front& front, const Rule& rule) {
     k += width == Width::Pair ? 2 : 1;
   }
   record.eliminated = k;
+  updates_ += static_cast<double>(k) * n * n;
   if (k > 0) {
     // Only now: exchanges move the rows of earlier multipliers too.
     double* next = record.values = values_.top(record.num_values());

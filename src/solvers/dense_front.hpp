@@ -54,6 +54,8 @@ class FrontStack {
 
   [[nodiscard]] int negative() const { return negative_; }
   [[nodiscard]] int zero() const { return zero_; }
+  /// Entries of fronts, each as often as a pivot changed it.
+  [[nodiscard]] double updates() const { return updates_; }
 
   /// L D y = b, then Lᵀ x = y, in place over all fronts.
   void forward(std::span<double> x) const;
@@ -81,6 +83,7 @@ class FrontStack {
   std::vector<double> local_l_, local_m_;
   mutable std::vector<double> local_;
   int negative_ = 0, zero_ = 0;
+  double updates_ = 0.0;
 };
 
 }  // namespace brachisto

@@ -176,9 +176,10 @@ const Outcome& outcome_of(Ipopt::ApplicationReturnStatus code) {
 }
 
 Status status_of(const Outcome& outcome, const StopCondition& stop,
-                 bool at_refused_point) {
+                 bool at_refused_point, bool tired) {
   // A stop makes the adapter refuse points, which Ipopt answers in many ways.
   if (outcome.status != Status::Solved && stop.met()) return stopped_by(stop);
+  if (outcome.status != Status::Solved && tired) return Status::IterationLimit;
   if (outcome.status == Status::NotConverged && at_refused_point) {
     return Status::NotEvaluable;
   }
@@ -293,8 +294,11 @@ SolverResult run(nlp::Problem& problem, const PrimalDual& start,
                  const IpoptOptions& options, ChainHook* hook) {
   const LinearSolver solver =
       hook != nullptr ? LinearSolver::Chain : LinearSolver::Mumps;
+  const auto tired = [&] {
+    return hook != nullptr && hook->effort > options.most_effort;
+  };
   Ipopt::SmartPtr<IpoptAdapter> adapter =
-      new IpoptAdapter(problem, start, options.stop);
+      new IpoptAdapter(problem, start, options.stop, tired);
   Ipopt::SmartPtr<Ipopt::IpoptApplication> application = new_application();
 
   std::ostringstream log;
@@ -345,15 +349,24 @@ SolverResult run(nlp::Problem& problem, const PrimalDual& start,
   if (result.point.x.empty() && options.stop.met()) result.point = start;
   result.iterations = adapter->iterations();
   result.refused_points = adapter->refused_points();
+  result.effort =
+      hook != nullptr
+          ? hook->effort
+          : static_cast<double>(result.iterations) *
+                (problem.num_variables() + problem.num_constraints());
   result.status =
-      status_of(outcome, options.stop, adapter->refused_points() > 0);
+      status_of(outcome, options.stop, adapter->refused_points() > 0, tired());
   if (memory_failure(result.log)) result.status = Status::OutOfMemory;
   if (result.status == Status::Infeasible && !problem.has_inequalities()) {
     // There is a path; it was not found.
     result.status = Status::NotConverged;
   }
-  result.message = fmt::format("Ipopt: {} after {} iterations", outcome.words,
-                               result.iterations);
+  result.message =
+      fmt::format("Ipopt: {} after {} iterations",
+                  result.status == Status::IterationLimit && tired()
+                      ? "all the work it was allowed used up"
+                      : outcome.words,
+                  result.iterations);
   if (result.status == Status::NotEvaluable) {
     result.message += fmt::format(
         " ({} trial points refused, the last because "

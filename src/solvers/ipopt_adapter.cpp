@@ -31,8 +31,9 @@ void copy_pattern(const nlp::SparsityPattern& pattern, Index* rows,
 }  // namespace
 
 IpoptAdapter::IpoptAdapter(nlp::Problem& problem, const PrimalDual& start,
-                           const StopCondition& stop)
-    : problem_(problem), start_(start), stop_(stop) {}
+                           const StopCondition& stop,
+                           std::function<bool()> tired)
+    : problem_(problem), start_(start), stop_(stop), tired_(std::move(tired)) {}
 
 template <class Evaluate>
 bool IpoptAdapter::guarded(const Number* x, bool new_x, Evaluate&& evaluate) {
@@ -167,7 +168,7 @@ bool IpoptAdapter::intermediate_callback(Ipopt::AlgorithmMode, Index iter,
                                          const Ipopt::IpoptData*,
                                          Ipopt::IpoptCalculatedQuantities*) {
   iterations_ = iter;
-  return !stop_.met();
+  return !stop_.met() && !(tired_ && tired_());
 }
 
 void IpoptAdapter::finalize_solution(Ipopt::SolverReturn, Index n,

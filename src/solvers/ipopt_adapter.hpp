@@ -8,6 +8,7 @@
 
 #include <IpTNLP.hpp>
 #include <exception>
+#include <functional>
 #include <span>
 
 #include "brachisto/nlp/problem.hpp"
@@ -19,8 +20,9 @@ namespace brachisto {
 class IpoptAdapter final : public Ipopt::TNLP {
  public:
   /// All arguments must outlive the adapter.
+  /// \param tired  asked after every iteration whether it is to be the last
   IpoptAdapter(nlp::Problem& problem, const PrimalDual& start,
-               const StopCondition& stop);
+               const StopCondition& stop, std::function<bool()> tired = {});
 
   /// The last iterate, empty if Ipopt did not hand one over.
   [[nodiscard]] const PrimalDual& final_point() const { return final_point_; }
@@ -85,6 +87,7 @@ class IpoptAdapter final : public Ipopt::TNLP {
   nlp::Problem& problem_;
   const PrimalDual& start_;
   const StopCondition& stop_;
+  std::function<bool()> tired_;
   PrimalDual final_point_;
   int iterations_ = 0;
   int refused_points_ = 0;

@@ -14,7 +14,7 @@ namespace brachisto {
 /// multipliers is at most this: rounding errors are then magnified by less than
 /// its square, 1e8, and one step of refinement leaves (1e8 ε)² = 5e-16 of them.
 /// A body that sets out from rest needs as much: with 1e3, a bound for ordinary
-/// links, 18 % of the links of 40 000 elements failed, all near A.
+/// links, 18 % of the links of 40 000 elements failed, many of them near A.
 inline constexpr double kLargestNorm = 1e4;
 
 /// Whether a lane has its bit.

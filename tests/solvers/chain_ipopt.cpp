@@ -111,6 +111,32 @@ TEST(ChainInIpopt, CorrectsTheInertiaWhereItIsWrong) {
   EXPECT_NE(chain.log.find("lg(rg)"), std::string::npos);
 }
 
+TEST(ChainInIpopt, EndsWhereItsWorkIsUsedUp) {
+  constexpr double kPhi = -0.1;
+  RollingTime problem(natural(off_centred_scene()), uniform_mesh(4, 24), kPhi);
+  const PrimalDual start = first_point(problem, kPhi);
+  IpoptOptions options;
+  options.linear_solver = LinearSolver::Chain;
+
+  const SolverResult whole = solve_with_ipopt(problem, start, options);
+  ASSERT_EQ(whole.status, Status::Solved) << whole.message;
+  // Each iteration factorises a matrix at least once.
+  EXPECT_GE(whole.effort,
+            whole.iterations * static_cast<double>(problem.num_constraints()));
+
+  options.most_effort = 0.5 * whole.effort;
+  const SolverResult half = solve_with_ipopt(problem, start, options);
+  EXPECT_EQ(half.status, Status::IterationLimit) << half.message;
+  EXPECT_LT(half.iterations, whole.iterations);
+  EXPECT_GT(half.effort, options.most_effort);
+  EXPECT_EQ(half.point.x.size(), whole.point.x.size());
+
+  options.most_effort = whole.effort;
+  const SolverResult same = solve_with_ipopt(problem, start, options);
+  EXPECT_EQ(same.status, Status::Solved) << same.message;
+  EXPECT_EQ(same.effort, whole.effort);
+}
+
 TEST(ChainInIpopt, GoesByItsOwnNameInTheLog) {
   RollingTime problem(natural(off_centred_scene()), uniform_mesh(3, 12), -0.1);
   const PrimalDual start = first_point(problem, -0.1);

@@ -8,6 +8,7 @@
 
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +26,9 @@ struct SolverResult {
   PrimalDual point;     ///< the last iterate; empty if there was none
   int iterations = 0;
   int refused_points = 0;  ///< trial points at which the model is undefined
+  /// What factorising took, in unknowns that are factorised once; an estimate,
+  /// the same on all machines.
+  double effort = 0.0;
   /// Which one was at work; never Auto after a run.
   LinearSolver linear_solver = LinearSolver::Auto;
   std::string log;  ///< the solver's own journal
@@ -36,7 +40,10 @@ struct IpoptOptions {
   /// On multiplier times distance from the bound, each of which leaves as much
   /// in f; nothing: `tolerance`.
   std::optional<double> complementarity = {};
-  int max_iterations = 500;        ///< ≥ 0
+  int max_iterations = 500;  ///< ≥ 0
+  /// In which it ends as at the last of its iterations: see
+  /// SolverResult::effort, known while it runs with the chain factorisation.
+  double most_effort = std::numeric_limits<double>::infinity();
   bool check_derivatives = false;  ///< run Ipopt's own second-order checker at
                                    ///< the start; findings go to the log
   bool verbose = false;            ///< full iteration log instead of a summary

@@ -15,6 +15,8 @@ ArcRoot find_root(const ArcSystem& system, ArcSystem::Point start,
   // From there on the derivatives at hand leave so much of every residual, or
   // a small multiple, and shots without any take a fifth of the work.
   constexpr double kNear = 1e-6;
+  // Those that leave more are taken anew.
+  constexpr double kContracts = 0.1;
   constexpr double kSmallestFactor = 1e-3;
   ArcRoot out;
   out.point = std::move(start);
@@ -22,12 +24,18 @@ ArcRoot find_root(const ArcSystem& system, ArcSystem::Point start,
     out.at.links.clear();
     return out;
   }
-  bool fresh = true;  // whether derivatives are those of the point
+  bool fresh = true;    // whether derivatives are those of the point
+  bool content = true;  // with what those at hand did in the last step
   for (;; ++out.steps) {
     out.residual = out.at.largest();
     if (out.residual <= kConverged || out.steps == most_steps) break;
-    const ocp::ChainVector change = ocp::ChainElimination(out.at.links).solve();
     ArcSystem::Linearisation there;
+    if (!content && !fresh && out.residual > kRounding &&
+        system.evaluate(out.point, control, there)) {
+      out.at = std::exchange(there, {});
+      fresh = true;
+    }
+    const ocp::ChainVector change = ocp::ChainElimination(out.at.links).solve();
     ArcSystem::Point trial;
     double factor = 1.0;
     const bool derivatives = out.residual > kNear;
@@ -43,20 +51,16 @@ ArcRoot find_root(const ArcSystem& system, ArcSystem::Point start,
       factor *= 0.5;
       shrinks = closer();
     }
-    if (shrinks) {
-      out.point = std::move(trial);
-      if (derivatives) {
-        out.at = std::move(there);
-      } else {
-        out.at.take_values(there);
-      }
-      fresh = derivatives;
-    } else if (!fresh && out.residual > kRounding &&
-               system.evaluate(out.point, control, out.at)) {
-      fresh = true;
+    if (!shrinks && (fresh || !content || out.residual <= kRounding)) break;
+    content = shrinks && there.norm() < kContracts * out.at.norm();
+    if (!shrinks) continue;
+    out.point = std::move(trial);
+    if (derivatives) {
+      out.at = std::move(there);
     } else {
-      break;
+      out.at.take_values(there);
     }
+    fresh = derivatives;
   }
   out.converged = out.residual <= kRounding;
   return out;
@@ -93,8 +97,8 @@ double size_of_time(const ArcSystem::Point& point, double transit_time) {
 // integration rounds the states, which T feels through the costates; these
 // errors are independent.
 //
-// Derivatives are those of the root. Halved steps change them by what they
-// change the states by, some 1e-13, and a step by so much of itself.
+// Derivatives are the last that find_root() took, a residual of 1e-6 off at the
+// most. So each step leaves some 1e-6 of the one before, or ten times as much.
 bool refine_root(const ArcSystem& system, const ArcRoot& root,
                  const ocp::StepControl& control, RefinedRoot& out) {
   constexpr double kUlp = std::numeric_limits<double>::epsilon();

@@ -26,14 +26,13 @@ struct ArcRoot {
                                 const ocp::StepControl& control,
                                 int most_steps);
 
-/// A root as accurate as it gets, by two steps with the root's derivatives and
+/// A root as accurate as it gets, by two steps with the derivatives at hand and
 /// all steps of the integration halved. The error of T is estimated by what the
 /// first one changes, by twice what the second one does, which is rounding,
 /// and by the rounding of independent steps.
 struct RefinedRoot {
   ArcSystem::Point point;
-  /// Values with the steps halved, before the last change; derivatives of the
-  /// root.
+  /// Values with the steps halved, before the last change.
   ArcSystem::Linearisation at;
   double transit_time = 0.0;
   double error_estimate = 0.0;  ///< relative, of it

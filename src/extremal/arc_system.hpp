@@ -93,7 +93,7 @@ class ArcSystem {
     [[nodiscard]] double norm() const;
     /// The node whose equations are met least.
     [[nodiscard]] int worst_node() const;
-    /// Residual and T of another one, the derivatives kept.
+    /// All but derivatives of another one.
     void take_values(const Linearisation& other);
   };
   /// False where a piece cannot be integrated.

@@ -181,7 +181,11 @@ class LimitedSolve {
 
   void come_from_looser() {
     protocol_.tries("from looser limits");
-    if (!ways_->tightening().is_shut()) open_from_ = 0.0;
+    const Status status = protocol_.status;
+    const std::string message = protocol_.message;
+    (ways_->tightening().is_shut() ? shut_to_ : open_from_) = 0.0;
+    // That there is no direction at rest says more.
+    if (status == Status::NoAdmissiblePath) protocol_.fail(status, message);
     // The loosest first: where there is a path it is mostly found soon; limits
     // under which there is none use up all they are given.
     for (const double by : {1.0, 0.6, 0.2, 0.05}) {
@@ -192,8 +196,9 @@ class LimitedSolve {
   }
 
   /// Whether the way is known to be shut under limits that are looser by so
-  /// much: where it is open it is so under looser ones, and the other way
-  /// round.
+  /// much: under tighter ones it is then too. Where the proof says nothing it
+  /// is not asked again for looser ones, of which it would mostly say nothing
+  /// too.
   [[nodiscard]] bool is_shut(double by, Tightening& under_them) {
     if (by >= open_from_ || by <= shut_to_) return by <= shut_to_;
     const bool shut = under_them.is_shut();
@@ -215,7 +220,10 @@ class LimitedSolve {
     PassProtocol protocol(options);
     protocol.most_work = share * (protocol_.most_work - protocol_.work);
     LimitedWays ways(looser, wanted_, *free_, phi_, options, protocol);
-    if (by > 0.0 && is_shut(by, ways.tightening())) return std::nullopt;
+    // Limits as they are asked for are looked at where looser ones come next.
+    if ((by > 0.0 || shut_to_ >= 0.0) && is_shut(by, ways.tightening())) {
+      return std::nullopt;
+    }
     std::optional<FittedPath> path = find(ways);
     protocol_.work += protocol.work;
     cut_short_ = cut_short_ || protocol.worked_enough();
@@ -258,7 +266,7 @@ class LimitedSolve {
             return ways.from_beside(reached.path.curve);
           },
           kOfALeap);
-      if (!found && next > shut_to_ && next > 0.0 && !stopped()) {
+      if (!found && next > std::max(0.0, shut_to_) && !stopped()) {
         found = path_under(next, &LimitedWays::find, kOfALeap);
       }
       if (found) {

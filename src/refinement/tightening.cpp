@@ -66,13 +66,16 @@ SolverResult Tightening::run(nlp::Problem& problem, const PrimalDual& start,
   constexpr double kTolerance = 1e-8;
   constexpr int kMostIterations = 400;
   // A run that goes in circles has several factorisations a step, with many
-  // dense fronts; the longest that led anywhere was seen to take 8.4e6.
-  constexpr double kMostEffort = 1.2e7;
+  // dense fronts. The longest that was seen to lead anywhere took 9.8e6; large
+  // programs may take twice what all their steps do if these go well.
+  constexpr double kCircling = 1.2e7, kFactorisationsAStep = 2.0;
   IpoptOptions ipopt = ipopt_;
   ipopt.tolerance = std::max(ipopt.tolerance, kTolerance);
   ipopt.complementarity = complementarity;
   ipopt.max_iterations = std::min(budget_, kMostIterations);
-  ipopt.most_effort = kMostEffort;
+  ipopt.most_effort = std::max(
+      kCircling, kFactorisationsAStep * kMostIterations *
+                     (problem.num_variables() + problem.num_constraints()));
   SolverResult result = solve_with_ipopt(problem, start, ipopt);
   budget_ = std::max(0, budget_ - result.iterations);
   protocol_.add(result, problem);

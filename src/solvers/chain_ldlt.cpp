@@ -177,7 +177,7 @@ void ChainLdlt::begin_run(const Run& run, Plan& plan) {
 }
 
 double ChainLdlt::effort() const {
-  // Measured where elastic programs of bodies of many turns fail.
+  // Runs with few dense fronts and with many take .14 to .28 µs a unit so.
   constexpr double kUpdatesPerUnknown = 500.0;
   return map_.num_unknowns() + fronts_.updates() / kUpdatesPerUnknown;
 }

@@ -354,8 +354,8 @@ SolverResult run(nlp::Problem& problem, const PrimalDual& start,
           ? hook->effort
           : static_cast<double>(result.iterations) *
                 (problem.num_variables() + problem.num_constraints());
-  result.status =
-      status_of(outcome, options.stop, adapter->refused_points() > 0, tired());
+  result.status = status_of(outcome, options.stop,
+                            adapter->refused_points() > 0, adapter->tired());
   if (memory_failure(result.log)) result.status = Status::OutOfMemory;
   if (result.status == Status::Infeasible && !problem.has_inequalities()) {
     // There is a path; it was not found.
@@ -363,7 +363,7 @@ SolverResult run(nlp::Problem& problem, const PrimalDual& start,
   }
   result.message =
       fmt::format("Ipopt: {} after {} iterations",
-                  result.status == Status::IterationLimit && tired()
+                  result.status == Status::IterationLimit && adapter->tired()
                       ? "all the work it was allowed used up"
                       : outcome.words,
                   result.iterations);

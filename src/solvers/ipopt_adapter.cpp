@@ -168,7 +168,9 @@ bool IpoptAdapter::intermediate_callback(Ipopt::AlgorithmMode, Index iter,
                                          const Ipopt::IpoptData*,
                                          Ipopt::IpoptCalculatedQuantities*) {
   iterations_ = iter;
-  return !stop_.met() && !(tired_ && tired_());
+  if (stop_.met()) return false;
+  is_tired_ = tired_ && tired_();
+  return !is_tired_;
 }
 
 void IpoptAdapter::finalize_solution(Ipopt::SolverReturn, Index n,

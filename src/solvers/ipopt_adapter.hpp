@@ -20,7 +20,8 @@ namespace brachisto {
 class IpoptAdapter final : public Ipopt::TNLP {
  public:
   /// All arguments must outlive the adapter.
-  /// \param tired  asked after every iteration whether it is to be the last
+  /// \param tired  asked before every iteration, in restoration too, whether to
+  ///               end the run instead
   IpoptAdapter(nlp::Problem& problem, const PrimalDual& start,
                const StopCondition& stop, std::function<bool()> tired = {});
 
@@ -31,6 +32,8 @@ class IpoptAdapter final : public Ipopt::TNLP {
   [[nodiscard]] const std::string& last_refusal() const {
     return last_refusal_;
   }
+  /// Whether that ended the run.
+  [[nodiscard]] bool tired() const { return is_tired_; }
   /// What ended the run, if the problem or check_stop() threw.
   [[nodiscard]] std::exception_ptr exception() const { return exception_; }
 
@@ -88,6 +91,7 @@ class IpoptAdapter final : public Ipopt::TNLP {
   const PrimalDual& start_;
   const StopCondition& stop_;
   std::function<bool()> tired_;
+  bool is_tired_ = false;
   PrimalDual final_point_;
   int iterations_ = 0;
   int refused_points_ = 0;

@@ -41,7 +41,7 @@ struct IpoptOptions {
   /// in f; nothing: `tolerance`.
   std::optional<double> complementarity = {};
   int max_iterations = 500;  ///< ≥ 0
-  /// In which it ends as at the last of its iterations: see
+  /// Ends it with Status::IterationLimit, converged or not: see
   /// SolverResult::effort, known while it runs with the chain factorisation.
   double most_effort = std::numeric_limits<double>::infinity();
   bool check_derivatives = false;  ///< run Ipopt's own second-order checker at

@@ -98,11 +98,10 @@ double size_of_time(const ArcSystem::Point& point, double transit_time) {
 // errors are independent.
 //
 // Derivatives are the last that find_root() took, a residual of 1e-6 off at the
-// most. So each step leaves some 1e-6 of the one before, or ten times as much.
+// most; what a step leaves is of that order times the step.
 bool refine_root(const ArcSystem& system, const ArcRoot& root,
                  const ocp::StepControl& control, RefinedRoot& out) {
   constexpr double kUlp = std::numeric_limits<double>::epsilon();
-  constexpr bool kDerivatives = false;
   out.point = root.point;
   out.at = root.at;
   out.transit_time = root.at.transit_time;
@@ -110,7 +109,7 @@ bool refine_root(const ArcSystem& system, const ArcRoot& root,
   ArcSystem::Linearisation halved;
   for (int i = 0; i < 2; ++i) {
     if (!system.evaluate(out.point, {control.tolerance, true}, halved,
-                         kDerivatives)) {
+                         /*derivatives=*/false)) {
       return false;
     }
     out.at.take_values(halved);

@@ -79,4 +79,26 @@ std::vector<Arc> with_elements(std::vector<Arc> arcs, int wanted) {
   return arcs;
 }
 
+Mesh finer_at_changes(const LimitedCurve& curve) {
+  const LimitedTime& problem = curve.problem();
+  const Mesh& mesh = problem.mesh();
+  const auto changes = [&](int point) {
+    if (point < 1 || point >= problem.layout().num_points()) return false;
+    for (int i = 0; i < problem.layout().num_limits(); ++i) {
+      if (curve.active(point, i) != curve.active(point - 1, i)) return true;
+    }
+    return false;
+  };
+  Mesh next{mesh.degree, {0.0}};
+  for (int e = 0; e < mesh.num_elements(); ++e) {
+    bool any = false;
+    for (int c = e * mesh.degree; c <= (e + 1) * mesh.degree; ++c) {
+      any = any || changes(c);
+    }
+    if (any) next.boundaries.push_back(mesh.sigma(e, 0.5));
+    next.boundaries.push_back(mesh.boundaries[at(e + 1)]);
+  }
+  return next;
+}
+
 }  // namespace brachisto

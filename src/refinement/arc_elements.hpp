@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// How many elements there are on each arc.
+/// How many elements there are on each arc, and where arcs are not known yet.
 
 #pragma once
 
@@ -30,5 +30,8 @@ void divide(const LimitedCurve& curve, const LimitedCurve& finer,
 
 /// The same arcs on so many equal elements, or one on each.
 [[nodiscard]] std::vector<Arc> with_elements(std::vector<Arc> arcs, int wanted);
+
+/// Elements halved where what holds changes within them or next to them.
+[[nodiscard]] Mesh finer_at_changes(const LimitedCurve& curve);
 
 }  // namespace brachisto

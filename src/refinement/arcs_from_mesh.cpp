@@ -3,7 +3,6 @@
 
 #include "refinement/arcs_from_mesh.hpp"
 
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -56,25 +55,16 @@ FromMesh without_its_arcs(const LimitedCurve& coarse,
                           const IpoptOptions& options, ArcSearch& search,
                           PassProtocol& protocol) {
   FromMesh out;
-  const double most_work = protocol.most_work;
-  for (const First first : {First::DrawnIn, First::Finer}) {
-    constexpr double kLeft = 0.4;  // of the work, for what comes second
-    if (first == First::DrawnIn && std::isfinite(most_work)) {
-      protocol.most_work -= kLeft * (most_work - protocol.work);
-    }
-    SolvedWithoutArcs solved = solve_without_arcs(
-        coarse, wanted.tolerance.value_or(kToleranceWithoutArcs),
-        protocol.left(options), protocol, first);
-    if (solved.finest() && !protocol.stopped()) {
-      out.path = arcs_from(*solved.finest(), kArcDegree, search, protocol);
-    }
-    out.mesh = std::move(solved.path);
-    protocol.most_work = most_work;
-    if (out.path || out.mesh || protocol.stopped() ||
-        protocol.status == Status::NoFastestTrack) {
-      break;
-    }
-  }
+  solve_without_arcs(coarse, wanted.tolerance.value_or(kToleranceWithoutArcs),
+                     options, protocol, [&](SolvedWithoutArcs solved) {
+                       if (solved.finest() && !protocol.stopped()) {
+                         out.path = arcs_from(*solved.finest(), kArcDegree,
+                                              search, protocol);
+                       }
+                       out.mesh = std::move(solved.path);
+                       return out.path || out.mesh ||
+                              protocol.status == Status::NoFastestTrack;
+                     });
   return out;
 }
 

@@ -41,8 +41,8 @@ struct FromMesh {
   std::optional<PathWithoutArcs> mesh;  ///< that itself
 };
 
-/// By what is done First, the one or else the other; nothing if neither leads
-/// anywhere.
+/// By the ways of solve_without_arcs(), one after the other; nothing if neither
+/// leads anywhere.
 ///
 /// \param coarse  as solve_without_arcs() has it
 /// \param options of the solver, with the iterations of the protocol

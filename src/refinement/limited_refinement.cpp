@@ -199,7 +199,7 @@ class LimitedSolve {
   /// much: under tighter ones it is then too. Where the proof says nothing it
   /// is not asked again for looser ones, of which it would mostly say nothing
   /// too.
-  [[nodiscard]] bool is_shut(double by, Tightening& under_them) {
+  [[nodiscard]] bool known_to_be_shut(double by, Tightening& under_them) {
     if (by >= open_from_ || by <= shut_to_) return by <= shut_to_;
     const bool shut = under_them.is_shut();
     (shut ? shut_to_ : open_from_) = by;
@@ -221,7 +221,8 @@ class LimitedSolve {
     protocol.most_work = share * (protocol_.most_work - protocol_.work);
     LimitedWays ways(looser, wanted_, *free_, phi_, options, protocol);
     // Limits as they are asked for are looked at where looser ones come next.
-    if ((by > 0.0 || shut_to_ >= 0.0) && is_shut(by, ways.tightening())) {
+    if ((by > 0.0 || shut_to_ >= 0.0) &&
+        known_to_be_shut(by, ways.tightening())) {
       return std::nullopt;
     }
     std::optional<FittedPath> path = find(ways);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// The protocol of a refinement while it is written.
+/// The protocol of a refinement while it is written, and how long a pass is.
 
 #pragma once
 
@@ -19,6 +19,22 @@
 #include "refinement/refinement.hpp"
 
 namespace brachisto {
+
+/// Of a pass that begins next to a solution: so many steps, and what they take
+/// if they go well. Beyond that it goes in circles.
+[[nodiscard]] inline IpoptOptions of_short_pass(IpoptOptions ipopt,
+                                                const nlp::Problem& problem) {
+  constexpr int kMostIterations = 100;
+  // Of variables and constraints, by a step: slacks are factorised too, and
+  // some steps twice.
+  constexpr double kFactorised = 3.0;
+  ipopt.max_iterations = std::min(ipopt.max_iterations, kMostIterations);
+  ipopt.most_effort =
+      std::min(ipopt.most_effort,
+               kFactorised * kMostIterations *
+                   (problem.num_variables() + problem.num_constraints()));
+  return ipopt;
+}
 
 /// What passes report to. They add to one record until it is kept, those that
 /// failed on the way included.

@@ -16,10 +16,10 @@
 #include "model/loaded_fall.hpp"
 #include "model/passage.hpp"
 #include "nlp/elastic.hpp"
+#include "refinement/arc_elements.hpp"
 #include "refinement/open_conditions.hpp"
 #include "refinement/random_path.hpp"
 #include "refinement/turn_meshes.hpp"
-#include "refinement/without_arcs.hpp"
 
 namespace brachisto {
 
@@ -60,22 +60,30 @@ Tightening::Tightening(const Scene& scene, const ExtremalCurve& free,
   if (scene.world.start_speed > 0.0) first_ends_.start = free.at(0.0).beta;
 }
 
-SolverResult Tightening::run(nlp::Problem& problem, const PrimalDual& start,
-                             double complementarity) {
-  // Solutions are starts.
-  constexpr double kTolerance = 1e-8;
+IpoptOptions Tightening::of_cold_pass(const nlp::Problem& problem) const {
   constexpr int kMostIterations = 400;
   // A run that goes in circles has several factorisations a step, with many
-  // dense fronts. The longest that was seen to lead anywhere took 9.8e6; large
-  // programs may take twice what all their steps do if these go well.
+  // dense fronts: several times this. Of a thousand makers' scenes none is lost
+  // by it. Large programs may take twice what all their steps do if these go
+  // well.
   constexpr double kCircling = 1.2e7, kFactorisationsAStep = 2.0;
   IpoptOptions ipopt = ipopt_;
-  ipopt.tolerance = std::max(ipopt.tolerance, kTolerance);
-  ipopt.complementarity = complementarity;
-  ipopt.max_iterations = std::min(budget_, kMostIterations);
+  ipopt.max_iterations = std::min(ipopt.max_iterations, kMostIterations);
   ipopt.most_effort = std::max(
       kCircling, kFactorisationsAStep * kMostIterations *
                      (problem.num_variables() + problem.num_constraints()));
+  return ipopt;
+}
+
+SolverResult Tightening::run(nlp::Problem& problem, const PrimalDual& start,
+                             double complementarity, Pass pass) {
+  // Solutions are starts.
+  constexpr double kTolerance = 1e-8;
+  IpoptOptions ipopt = pass == Pass::Warm ? of_short_pass(ipopt_, problem)
+                                          : of_cold_pass(problem);
+  ipopt.max_iterations = std::min(budget_, ipopt.max_iterations);
+  ipopt.tolerance = std::max(ipopt.tolerance, kTolerance);
+  ipopt.complementarity = complementarity;
   SolverResult result = solve_with_ipopt(problem, start, ipopt);
   budget_ = std::max(0, budget_ - result.iterations);
   protocol_.add(result, problem);
@@ -122,11 +130,11 @@ PrimalDual Tightening::start_of(const LimitedTime& problem) const {
 }
 
 bool Tightening::solve_rigid(const Inequalities& limits, const Mesh& mesh,
-                             const LimitedEnds& ends) {
+                             const LimitedEnds& ends, Pass pass) {
   constexpr double kComplementarity = 1e-11;
   LimitedTime problem(scene_, limits, mesh, ends);
   problem.bound_slopes(std::numbers::pi);
-  return take(problem, run(problem, start_of(problem), kComplementarity));
+  return take(problem, run(problem, start_of(problem), kComplementarity, pass));
 }
 
 std::vector<double> Tightening::give_of_rows(
@@ -178,7 +186,7 @@ bool Tightening::solve_elastic(const LimitedEnds& ends, double price) {
   nlp::Elastic elastic(problem, give_, price);
   SolverResult result =
       run(elastic, elastic.with_elasticity(std::move(start), given_way_),
-          kComplementarity);
+          kComplementarity, Pass::Cold);
   const double given_way = result.point.x.empty() ? 0.0 : result.point.x.back();
   if (result.status == Status::Solved) {
     result.point = elastic.without_elasticity(std::move(result.point));
@@ -368,7 +376,9 @@ bool Tightening::tighten_after(const std::vector<PathInequality>& looser) {
 bool Tightening::solve_finer() {
   const auto ends = next_ends(limits_);
   if (!ends) return none_at_rest();
-  if (!solve_rigid(limits_, finer_at_changes(*last_), *ends)) return false;
+  if (!solve_rigid(limits_, finer_at_changes(*last_), *ends, Pass::Warm)) {
+    return false;
+  }
   protocol_.keep_record("limits", last_->transit_time());
   return true;
 }

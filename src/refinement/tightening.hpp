@@ -131,14 +131,18 @@ class Tightening {
  private:
   using Inequalities = std::vector<PathInequality>;
 
+  /// Whether it begins next to a solution.
+  enum class Pass { Cold, Warm };
+
+  [[nodiscard]] IpoptOptions of_cold_pass(const nlp::Problem& problem) const;
   [[nodiscard]] SolverResult run(nlp::Problem& problem, const PrimalDual& start,
-                                 double complementarity);
+                                 double complementarity, Pass pass);
   /// What was found, if anything was.
   bool take(const LimitedTime& problem, SolverResult result);
   /// The last solution, or else a rough path or the free extremal.
   [[nodiscard]] PrimalDual start_of(const LimitedTime& problem) const;
   bool solve_rigid(const Inequalities& limits, const Mesh& mesh,
-                   const LimitedEnds& ends);
+                   const LimitedEnds& ends, Pass pass = Pass::Cold);
   /// The same on the first mesh, from the free extremal.
   bool solve_anew(const Inequalities& limits);
   /// With limits that give way at a price.

@@ -16,12 +16,19 @@
 #include "brachisto/math/index.hpp"
 #include "math/dense.hpp"
 #include "nlp/elastic.hpp"
+#include "refinement/arc_elements.hpp"
 #include "refinement/open_conditions.hpp"
 #include "trajectory/reintegration.hpp"
 
 namespace brachisto {
 
 namespace {
+
+/// What is done first where a path exceeds a limit between the points of its
+/// mesh, as it does where the control jumps: elements are quartered as long as
+/// to draw their bounds in would cost much, or bounds are drawn in, and what
+/// then costs much is quartered. Where the one leads nowhere the other may.
+enum class First { DrawnIn, Finer };
 
 /// By element, then limit.
 using Margins = std::vector<std::vector<double>>;
@@ -41,61 +48,77 @@ double sum_of(const std::vector<double>& values) {
 
 class WithoutArcs {
  public:
-  WithoutArcs(const LimitedCurve& coarse, const IpoptOptions& ipopt,
-              PassProtocol& protocol, First first)
+  /// \param tolerance  relative, of T
+  WithoutArcs(const LimitedCurve& coarse, double tolerance,
+              const IpoptOptions& ipopt, PassProtocol& protocol)
       : scene_(coarse.problem().scene()),
         limits_(coarse.problem().limits()),
+        tolerance_(tolerance),
         ipopt_(ipopt),
         protocol_(protocol),
-        first_(first),
         curve_(coarse),
         ends_(coarse.problem().ends()) {}
 
-  [[nodiscard]] SolvedWithoutArcs run(double tolerance) {
-    auto path = accurate_to(tolerance);
-    return {std::move(path), std::move(closed_)};
+  /// To where it matters what is done first. False if a mesh has no solution.
+  [[nodiscard]] bool begin() {
+    if (!close(curve_.problem().mesh())) return false;
+    at_changes_ = halve_at_changes(kShare * tolerance_);
+    before_ = curve_.transit_time();
+    protocol_.message.clear();
+    if (close(halved(curve_.problem().mesh()))) return true;
+    return not_accurate(protocol_.message);
+  }
+  /// On from there.
+  [[nodiscard]] SolvedWithoutArcs go_on(First first,
+                                        const IpoptOptions& ipopt) {
+    ipopt_ = ipopt;
+    auto path = accurate(first);
+    return {std::move(path), closed_};
+  }
+  [[nodiscard]] const std::optional<LimitedCurve>& closed() const {
+    return closed_;
   }
 
  private:
-  [[nodiscard]] std::optional<PathWithoutArcs> accurate_to(double tolerance) {
+  /// Of the tolerance, for what is one of several.
+  static constexpr double kShare = 0.1;
+
+  [[nodiscard]] std::optional<PathWithoutArcs> accurate(First first) {
     constexpr int kMostRounds = 8;
-    constexpr double kShare = 0.1, kMostCost = 0.3, kLess = 0.6, kHalf = 0.5;
+    constexpr double kMostCost = 0.3, kLess = 0.6, kHalf = 0.5;
     // An error of order three or more has lost seven eighths by a halving.
     constexpr double kSmooth = 1.0 / 7.0;
     // What the certificate lets slack times multiplier come to.
     constexpr double kComplementarity = 0.1;
-    if (!close(curve_.problem().mesh())) return std::nullopt;
-    const double at_changes = halve_at_changes(kShare * tolerance);
-    double before = curve_.transit_time();
     double of_halving = 0.0;
     double cost_before = std::numeric_limits<double>::infinity();
-    Mesh next = halved(curve_.problem().mesh());
+    Mesh next;
     bool everywhere = true;  // it is finer
     std::string because;
     for (int i = 0; i < kMostRounds; ++i) {
       ends_as_it_does_ = false;
       protocol_.message.clear();
-      if (!close(next)) {
-        if (!protocol_.message.empty()) because = ": " + protocol_.message;
+      if (i > 0 && !close(next)) {
+        because = protocol_.message;
         break;
       }
       // With least margins, as before: what the mesh alone has changed.
       const double free_time = curve_.transit_time();
       const double changed =
-          std::abs(free_time / std::exchange(before, free_time) - 1.0);
+          std::abs(free_time / std::exchange(before_, free_time) - 1.0);
       if (everywhere) of_halving = changed;
       // Where no more elements came the halving tells: of smooth stretches; and
       // of changes what the last ones there did.
       const double elsewhere =
-          std::min(2.0 * of_halving, kSmooth * of_halving + 2.0 * at_changes);
+          std::min(2.0 * of_halving, kSmooth * of_halving + 2.0 * at_changes_);
       const double of_mesh =
           everywhere ? 2.0 * changed : std::max(2.0 * changed, elsewhere);
       const double cost = sum_of(cost_of_keeping());
-      next = finer_where_costly(kShare * tolerance);
+      next = finer_where_costly(kShare * tolerance_);
       everywhere = false;
-      if (first_ == First::Finer && i + 1 < kMostRounds &&
+      if (first == First::Finer && i + 1 < kMostRounds &&
           next.num_elements() <= kMostElements &&
-          cost > kMostCost * tolerance) {
+          cost > kMostCost * tolerance_) {
         if (cost > kLess * cost_before) break;  // it does not help
         cost_before = cost;
         continue;
@@ -107,21 +130,24 @@ class WithoutArcs {
              sum_of(cost_of_keeping()) + mismatch_.largest() + kRounding);
         protocol_.record.estimated_error = error;
         protocol_.keep_record("mesh", curve_.transit_time());
-        if (error <= tolerance) {
+        if (error <= tolerance_) {
           return PathWithoutArcs{{{}, ends_, curve_, mismatch_}, error};
         }
       }
       const Mesh& mesh = curve_.problem().mesh();
-      next = finer_where_costly(kShare * tolerance);
+      next = finer_where_costly(kShare * tolerance_);
       everywhere = next.num_elements() == mesh.num_elements() ||
-                   of_mesh > kHalf * tolerance;
+                   of_mesh > kHalf * tolerance_;
       if (everywhere) next = halved(mesh);
       if (next.num_elements() > kMostElements) break;
     }
-    static_cast<void>(protocol_.fail(
-        Status::NotConverged,
-        "without arcs the mesh did not become accurate" + because));
+    static_cast<void>(not_accurate(because));
     return std::nullopt;
+  }
+  bool not_accurate(const std::string& because) {
+    return protocol_.fail(Status::NotConverged,
+                          "without arcs the mesh did not become accurate" +
+                              (because.empty() ? "" : ": " + because));
   }
 
   /// Elements in which what holds changes, until T changes by no more than so
@@ -245,11 +271,9 @@ class WithoutArcs {
   [[nodiscard]] SolverResult run(nlp::Problem& problem, const PrimalDual& start,
                                  double complementarity) {
     constexpr double kTolerance = 1e-11;
-    constexpr int kMostIterations = 100;
-    IpoptOptions ipopt = ipopt_;
+    IpoptOptions ipopt = of_short_pass(ipopt_, problem);
     ipopt.tolerance = std::max(ipopt.tolerance, kTolerance);
     ipopt.complementarity = complementarity;
-    ipopt.max_iterations = std::min(ipopt_.max_iterations, kMostIterations);
     SolverResult result = solve_with_ipopt(problem, start, ipopt);
     ipopt_.max_iterations -= result.iterations;
     protocol_.add(result, problem);
@@ -378,10 +402,12 @@ class WithoutArcs {
 
   Scene scene_;
   std::vector<PathInequality> limits_;
+  double tolerance_;
   IpoptOptions ipopt_;
   PassProtocol& protocol_;
-  First first_;
   LimitedCurve curve_;
+  double before_ = 0.0;      ///< T on the last mesh
+  double at_changes_ = 0.0;  ///< what T changed by last as they were halved
   std::optional<LimitedCurve> closed_;  ///< see SolvedWithoutArcs
   LimitedEnds ends_;
   ContactMismatch mismatch_;
@@ -391,33 +417,25 @@ class WithoutArcs {
 
 }  // namespace
 
-Mesh finer_at_changes(const LimitedCurve& curve) {
-  const LimitedTime& problem = curve.problem();
-  const Mesh& mesh = problem.mesh();
-  const auto changes = [&](int point) {
-    if (point < 1 || point >= problem.layout().num_points()) return false;
-    for (int i = 0; i < problem.layout().num_limits(); ++i) {
-      if (curve.active(point, i) != curve.active(point - 1, i)) return true;
-    }
-    return false;
-  };
-  Mesh next{mesh.degree, {0.0}};
-  for (int e = 0; e < mesh.num_elements(); ++e) {
-    bool any = false;
-    for (int c = e * mesh.degree; c <= (e + 1) * mesh.degree; ++c) {
-      any = any || changes(c);
-    }
-    if (any) next.boundaries.push_back(mesh.sigma(e, 0.5));
-    next.boundaries.push_back(mesh.boundaries[at(e + 1)]);
+void solve_without_arcs(
+    const LimitedCurve& coarse, double tolerance, const IpoptOptions& ipopt,
+    PassProtocol& protocol,
+    const std::function<bool(SolvedWithoutArcs solved)>& suffices) {
+  constexpr double kOfTheFirst = 0.6;
+  WithoutArcs begun(coarse, tolerance, protocol.left(ipopt), protocol);
+  if (!begun.begin()) {
+    static_cast<void>(suffices({{}, begun.closed()}));
+    return;
   }
-  return next;
-}
-
-SolvedWithoutArcs solve_without_arcs(const LimitedCurve& coarse,
-                                     double tolerance,
-                                     const IpoptOptions& ipopt,
-                                     PassProtocol& protocol, First first) {
-  return WithoutArcs(coarse, ipopt, protocol, first).run(tolerance);
+  for (const First first : {First::DrawnIn, First::Finer}) {
+    bool enough = false;
+    {
+      const PassProtocol::Share part(
+          protocol, first == First::DrawnIn ? kOfTheFirst : 1.0);
+      enough = suffices(WithoutArcs(begun).go_on(first, protocol.left(ipopt)));
+    }
+    if (enough || protocol.stopped()) return;
+  }
 }
 
 }  // namespace brachisto

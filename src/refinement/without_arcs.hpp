@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "refinement/arc_fit.hpp"
@@ -50,27 +51,20 @@ struct SolvedWithoutArcs {
   }
 };
 
-/// What is done first where a path exceeds a limit between the points of its
-/// mesh, as it does where the control jumps: elements are quartered as long as
-/// to draw their bounds in would cost much, or bounds are drawn in, and what
-/// then costs much is quartered. Where the one leads nowhere the other may.
-enum class First { Finer, DrawnIn };
-
 /// The program under the limits of the scene, on elements that are halved where
 /// what holds changes, until T changes by no more than a share of the
-/// tolerance; then on all of them halved. Limits are kept between the points
-/// too by what is done First, and then by the other. The contact is closed on
-/// each mesh.
+/// tolerance; then on all of them halved. From there on limits are kept between
+/// the points too, in two ways: bounds are drawn in, and what then costs much
+/// is quartered; or else elements are quartered first as long as to draw their
+/// bounds in would cost much. The contact is closed on each mesh.
 ///
 /// \param coarse     a solution of the same limits as inequalities
 /// \param tolerance  relative, of T
-[[nodiscard]] SolvedWithoutArcs solve_without_arcs(const LimitedCurve& coarse,
-                                                   double tolerance,
-                                                   const IpoptOptions& ipopt,
-                                                   PassProtocol& protocol,
-                                                   First first = First::Finer);
-
-/// Elements halved where what holds changes within them or next to them.
-[[nodiscard]] Mesh finer_at_changes(const LimitedCurve& curve);
+/// \param ipopt      options; iterations are those left in the protocol
+/// \param suffices   told what a way comes to: the next is not gone if it does
+void solve_without_arcs(
+    const LimitedCurve& coarse, double tolerance, const IpoptOptions& ipopt,
+    PassProtocol& protocol,
+    const std::function<bool(SolvedWithoutArcs solved)>& suffices);
 
 }  // namespace brachisto

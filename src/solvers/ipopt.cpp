@@ -294,11 +294,8 @@ SolverResult run(nlp::Problem& problem, const PrimalDual& start,
                  const IpoptOptions& options, ChainHook* hook) {
   const LinearSolver solver =
       hook != nullptr ? LinearSolver::Chain : LinearSolver::Mumps;
-  const auto tired = [&] {
-    return hook != nullptr && hook->effort > options.most_effort;
-  };
-  Ipopt::SmartPtr<IpoptAdapter> adapter =
-      new IpoptAdapter(problem, start, options.stop, tired);
+  Ipopt::SmartPtr<IpoptAdapter> adapter = new IpoptAdapter(
+      problem, start, options, hook != nullptr ? &hook->effort : nullptr);
   Ipopt::SmartPtr<Ipopt::IpoptApplication> application = new_application();
 
   std::ostringstream log;
@@ -349,11 +346,7 @@ SolverResult run(nlp::Problem& problem, const PrimalDual& start,
   if (result.point.x.empty() && options.stop.met()) result.point = start;
   result.iterations = adapter->iterations();
   result.refused_points = adapter->refused_points();
-  result.effort =
-      hook != nullptr
-          ? hook->effort
-          : static_cast<double>(result.iterations) *
-                (problem.num_variables() + problem.num_constraints());
+  if (hook != nullptr) result.effort = hook->effort;
   result.status = status_of(outcome, options.stop,
                             adapter->refused_points() > 0, adapter->tired());
   if (memory_failure(result.log)) result.status = Status::OutOfMemory;

@@ -31,9 +31,8 @@ void copy_pattern(const nlp::SparsityPattern& pattern, Index* rows,
 }  // namespace
 
 IpoptAdapter::IpoptAdapter(nlp::Problem& problem, const PrimalDual& start,
-                           const StopCondition& stop,
-                           std::function<bool()> tired)
-    : problem_(problem), start_(start), stop_(stop), tired_(std::move(tired)) {}
+                           const IpoptOptions& options, const double* effort)
+    : problem_(problem), start_(start), options_(options), effort_(effort) {}
 
 template <class Evaluate>
 bool IpoptAdapter::guarded(const Number* x, bool new_x, Evaluate&& evaluate) {
@@ -168,9 +167,9 @@ bool IpoptAdapter::intermediate_callback(Ipopt::AlgorithmMode, Index iter,
                                          const Ipopt::IpoptData*,
                                          Ipopt::IpoptCalculatedQuantities*) {
   iterations_ = iter;
-  if (stop_.met()) return false;
-  is_tired_ = tired_ && tired_();
-  return !is_tired_;
+  if (options_.stop.met()) return false;
+  tired_ = effort_ != nullptr && *effort_ > options_.most_effort;
+  return !tired_;
 }
 
 void IpoptAdapter::finalize_solution(Ipopt::SolverReturn, Index n,

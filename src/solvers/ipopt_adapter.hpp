@@ -8,8 +8,6 @@
 
 #include <IpTNLP.hpp>
 #include <exception>
-#include <functional>
-#include <span>
 
 #include "brachisto/nlp/problem.hpp"
 #include "brachisto/solvers/program_solvers.hpp"
@@ -20,10 +18,11 @@ namespace brachisto {
 class IpoptAdapter final : public Ipopt::TNLP {
  public:
   /// All arguments must outlive the adapter.
-  /// \param tired  asked before every iteration, in restoration too, whether to
-  ///               end the run instead
+  /// \param effort  what the run has taken so far, which options.most_effort
+  ///                ends before the next iteration, in restoration too; null if
+  ///                nobody counts it
   IpoptAdapter(nlp::Problem& problem, const PrimalDual& start,
-               const StopCondition& stop, std::function<bool()> tired = {});
+               const IpoptOptions& options, const double* effort);
 
   /// The last iterate, empty if Ipopt did not hand one over.
   [[nodiscard]] const PrimalDual& final_point() const { return final_point_; }
@@ -32,8 +31,8 @@ class IpoptAdapter final : public Ipopt::TNLP {
   [[nodiscard]] const std::string& last_refusal() const {
     return last_refusal_;
   }
-  /// Whether that ended the run.
-  [[nodiscard]] bool tired() const { return is_tired_; }
+  /// Whether IpoptOptions::most_effort ended the run.
+  [[nodiscard]] bool tired() const { return tired_; }
   /// What ended the run, if the problem or check_stop() threw.
   [[nodiscard]] std::exception_ptr exception() const { return exception_; }
 
@@ -89,9 +88,9 @@ class IpoptAdapter final : public Ipopt::TNLP {
 
   nlp::Problem& problem_;
   const PrimalDual& start_;
-  const StopCondition& stop_;
-  std::function<bool()> tired_;
-  bool is_tired_ = false;
+  const IpoptOptions& options_;
+  const double* effort_;
+  bool tired_ = false;
   PrimalDual final_point_;
   int iterations_ = 0;
   int refused_points_ = 0;

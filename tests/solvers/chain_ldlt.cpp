@@ -13,6 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <set>
 
 #include "solvers/chain_matrix.hpp"
 #include "solvers/pivot_store.hpp"
@@ -161,23 +162,49 @@ TEST(ChainLdlt, DelaysThePivotsOfSeparatorsThatHaveNone) {
   }
 }
 
+constexpr int kUnknownsOfALink = 24;
+
+/// Nine links, of which those blocks have an interior without entries.
+ChainMatrix with_empty_interiors(std::uint32_t seed,
+                                 const std::set<int>& empty) {
+  Random random(seed);
+  ChainMatrix matrix = empty_chain(9, kUnknownsOfALink, kUnknownsOfALink, 1);
+  for_each_coupled(matrix, [&](int i, int j) {
+    const int a = matrix.structure.block[static_cast<std::size_t>(i)];
+    const int b = matrix.structure.block[static_cast<std::size_t>(j)];
+    const double value = random.uniform(-1.0, 1.0);
+    if (a != b || !empty.contains(a)) matrix.add(i, j, value);
+  });
+  return matrix;
+}
+
 TEST(ChainLdlt, HandsInteriorsThatAreSingularToTheSeparators) {
   // Some links have an interior without entries of its own, the others not.
   for (std::uint32_t seed = 1; seed <= 10; ++seed) {
-    Random random(seed);
-    ChainMatrix matrix = empty_chain(9, 24, 24, 1);
-    for_each_coupled(matrix, [&](int i, int j) {
-      const int a = matrix.structure.block[static_cast<std::size_t>(i)];
-      const int b = matrix.structure.block[static_cast<std::size_t>(j)];
-      const bool singular = a == b && (a == 15 || a == 17);
-      if (!singular) matrix.add(i, j, random.uniform(-1.0, 1.0));
-    });
+    const ChainMatrix matrix = with_empty_interiors(seed, {15, 17});
     const auto ldlt = matrix.analysed();
     ASSERT_TRUE(matrix.factorise(*ldlt));
     EXPECT_GE(ldlt->num_dense_links(), 2) << "seed " << seed;
     expect_inertia(matrix, *ldlt, "seed " + std::to_string(seed));
     expect_solves(matrix, *ldlt, "seed " + std::to_string(seed));
   }
+}
+
+TEST(ChainLdlt, TellsWhatDenseLinksTake) {
+  const auto effort = [](const std::set<int>& empty) {
+    const ChainMatrix matrix = with_empty_interiors(1, empty);
+    const auto ldlt = matrix.analysed();
+    EXPECT_TRUE(matrix.factorise(*ldlt));
+    return ldlt->effort();
+  };
+  // An interior that goes to a dense front adds its unknowns n to it. Those
+  // alone change Σ i², i ≤ n, of its entries, 500 of which are one unknown.
+  constexpr double kAtLeast = kUnknownsOfALink * (kUnknownsOfALink + 1) *
+                              (2 * kUnknownsOfALink + 1) / 6 / 500.0;
+  const double none = effort({}), one = effort({15}), two = effort({15, 17});
+  EXPECT_GT(none, with_empty_interiors(1, {}).dense.rows());
+  EXPECT_GT(one, none + kAtLeast);
+  EXPECT_GT(two, one + kAtLeast);
 }
 
 TEST(ChainLdlt, CopesWithTinyPivots) {

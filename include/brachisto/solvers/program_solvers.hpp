@@ -26,8 +26,8 @@ struct SolverResult {
   PrimalDual point;     ///< the last iterate; empty if there was none
   int iterations = 0;
   int refused_points = 0;  ///< trial points at which the model is undefined
-  /// What factorising took, in unknowns that are factorised once; an estimate,
-  /// the same on all machines.
+  /// What the chain factorisation took, in unknowns that are factorised once;
+  /// an estimate, the same on all machines. 0 with another solver.
   double effort = 0.0;
   /// Which one was at work; never Auto after a run.
   LinearSolver linear_solver = LinearSolver::Auto;

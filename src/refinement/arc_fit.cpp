@@ -105,7 +105,7 @@ class Fit {
 
   Outcome iterate() {
     constexpr int kMostSteps = 60;
-    constexpr double kRounding = 1e-14;
+    constexpr double kRounding = 1e-14, kSmallest = 1e-13;
     ++out_.passes;
     const auto ends = with_start(now_.ends, scene_, now_.limits,
                                  holds_control(now_.arcs.front(), now_.limits));
@@ -123,14 +123,19 @@ class Fit {
     drift_ = std::numeric_limits<double>::infinity();
     restorable_ = kRestorable;
     double last_left = std::numeric_limits<double>::infinity();
+    int stalled = 0;  // steps after which as much was left
     for (int i = 0; i < kMostSteps; ++i) {
       const double left = largest(system.open());
       if (!std::isfinite(left)) return fail("a junction has no slope");
-      if (is_closed(system) && left > 0.5 * last_left) break;
+      // What is left after one step may be of another kind than before it, and
+      // T feels an open slope at A in the first order.
+      stalled = left > 0.5 * last_left ? stalled + 1 : 0;
+      last_left = left;
+      const bool settled =
+          left <= kClosed && stalled > (left <= kSmallest ? 0 : 1);
+      if (settled && is_closed(system)) break;
       // Moved by rounding, junctions would disturb the rest for ever, and what
       // other factors leave of it may be more than rounding.
-      const bool settled = left <= kClosed && left > 0.5 * last_left;
-      last_left = left;
       if (settled) drift_ = std::numeric_limits<double>::infinity();
       if (!linearise(system)) {
         return fail("the optimality conditions of the arcs are singular");

@@ -186,6 +186,8 @@ struct PathInequality {
   Point place = {};     ///< of a disc or a half-plane
   Point normal = {};    ///< of a half-plane
 
+  bool operator==(const PathInequality&) const = default;
+
   /// Whether it depends on q; if not, on the place alone.
   [[nodiscard]] bool bounds_control() const { return kind <= Kind::Valley; }
   /// Whether it is one of forces, which at rest β alone decides.

@@ -14,12 +14,13 @@ namespace brachisto {
 namespace {
 
 constexpr double kRounding = 1e-13;
+constexpr const char* kSolvedOverArcs = "solved under limits";
 
 LimitedAnswer told(FittedPath path, double error, PassProtocol& protocol) {
   protocol.record.estimated_error = error;
   protocol.keep_record("arcs", path.curve.transit_time());
   protocol.status = Status::Solved;
-  protocol.message = "solved under limits";
+  protocol.message = kSolvedOverArcs;
   return {std::move(path), error};
 }
 
@@ -74,33 +75,42 @@ std::optional<LimitedAnswer> refine_arcs(std::optional<FittedPath> path, int p,
   constexpr int kMostMeshes = 8, kManyElements = 2000;
   if (!path) return std::nullopt;
   const std::vector<PathInequality> limits = path->curve.problem().limits();
+  const double tolerance = wanted.wanted_tolerance();
   std::optional<LimitedAnswer> answer;
+  bool accurate = false;  // in time
   for (int i = 0; path && i < kMostMeshes; ++i) {
     if (!wanted.fixed() && i + 1 < kMostMeshes &&
         path->curve.problem().mesh().num_elements() <= kManyElements &&
         !keeps_limits(path->curve)) {
       std::vector<Arc> arcs = path->arcs;
-      divide(path->curve, path->curve, wanted.wanted_tolerance(), arcs);
+      divide(path->curve, path->curve, tolerance, arcs);
       path = search.fit_corrected(path->curve,
                                   {limits, std::move(arcs), path->ends}, p);
       continue;
     }
     const ArcFit finer =
         search.fit(path->curve, {limits, path->arcs, path->ends}, p + 1);
-    if (!finer.path) return answer;
+    if (!finer.path) break;
     // The difference is T's error less that of the finer one, of either sign.
     const double error =
         2.0 * change(*path, *finer.path) + path->mismatch.largest() + kRounding;
+    const bool good = error <= tolerance && keeps_limits(path->curve);
+    if (accurate && !good) break;
+    accurate = good;
     answer.emplace(told(*path, error, protocol));
-    const double tolerance = wanted.wanted_tolerance();
-    if (wanted.fixed() || (error <= tolerance && keeps_limits(path->curve)) ||
+    if (wanted.fixed() ||
+        (good && slopes_agree(path->curve, finer.path->curve, tolerance)) ||
         path->curve.problem().mesh().num_elements() > kManyElements) {
       return answer;
     }
     std::vector<Arc> arcs = finer.path->arcs;
-    divide(path->curve, finer.path->curve, 0.3 * tolerance, arcs);
+    if (!divide(path->curve, finer.path->curve, 0.3 * tolerance, arcs)) break;
     path = search.fit_corrected(finer.path->curve,
                                 {limits, std::move(arcs), finer.path->ends}, p);
+  }
+  if (accurate) {  // only its slopes could be better
+    protocol.status = Status::Solved;
+    protocol.message = kSolvedOverArcs;
   }
   return answer;
 }

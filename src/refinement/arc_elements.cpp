@@ -14,40 +14,81 @@ namespace {
 /// Allowed between points, well below what a certificate allows.
 constexpr double kExcess = 1e-9;
 
+/// The slope of a path may err so much [rad]: T is flat about the fastest path,
+/// so that a slope that errs by ε costs some ε² of it, but it is the path that
+/// is built, and followed to another scene.
+double allowed_turn(double tolerance) {
+  return 1e-3 * std::sqrt(tolerance);
+}
+
+/// By how much that of one path is off that of another along an element, less
+/// what follows from what it is off at the ends: there a path is more accurate,
+/// and errs by what came before.
+double turn_on(int element, const LimitedCurve& one,
+               const LimitedCurve& other) {
+  const auto off = [&](double share) {
+    return one.state_at(element, share).beta -
+           other.state_at(element, share).beta;
+  };
+  const double first = off(0.0), last = off(1.0);
+  double most = 0.0;
+  for (const double share : {0.1, 0.3, 0.5, 0.7, 0.9}) {
+    most =
+        std::max(most, std::abs(off(share) - first - share * (last - first)));
+  }
+  return most;
+}
+
 }  // namespace
 
-void divide(const LimitedCurve& curve, const LimitedCurve& finer,
+bool divide(const LimitedCurve& curve, const LimitedCurve& finer,
             double tolerance, std::vector<Arc>& arcs) {
-  constexpr int kMost = 4;
-  constexpr double kSafety = 1.1;
+  constexpr double kMost = 4.0, kSafety = 1.1;
   const double p = curve.problem().mesh().degree;
-  const double target =
-      tolerance * finer.transit_time() / curve.problem().mesh().num_elements();
+  const double allowed = tolerance * finer.transit_time();
+  const double target = allowed / curve.problem().mesh().num_elements();
+  // Times of elements change with the path to first order, their sum does not.
+  const bool errs_in_time =
+      2.0 * std::abs(curve.transit_time() - finer.transit_time()) > allowed;
   int e = 0;
+  bool any = false;
   for (Arc& arc : arcs) {
     std::vector<double> cuts{0.0};
     for (std::size_t i = 0; i + 1 < arc.cuts.size(); ++i, ++e) {
       double where = 0.0;
-      const double error = std::abs(curve.time_on(e) - finer.time_on(e));
+      const double error =
+          errs_in_time ? std::abs(curve.time_on(e) - finer.time_on(e)) : 0.0;
       const double excess = std::max(0.0, curve.excess_on(e, where).value);
-      const double pieces =
-          kSafety * std::max(std::pow(error / target, 1.0 / (2.0 * p)),
-                             std::pow(excess / kExcess, 1.0 / p));
-      const int n = std::clamp(
-          static_cast<int>(std::ceil(std::min(pieces, double{kMost}))), 1,
-          kMost);
+      const double turn = turn_on(e, curve, finer) / allowed_turn(tolerance);
+      const double too_long =
+          std::max(std::pow(error / target, 1.0 / (2.0 * p)),
+                   std::pow(std::max(excess / kExcess, turn), 1.0 / p));
+      const int n = too_long <= 1.0 ? 1
+                                    : static_cast<int>(std::ceil(
+                                          std::min(kSafety * too_long, kMost)));
+      any = any || n > 1;
       for (int k = 1; k <= n; ++k) {
         cuts.push_back(arc.cuts[i] + (arc.cuts[i + 1] - arc.cuts[i]) * k / n);
       }
     }
     arc.cuts = std::move(cuts);
   }
+  return any;
 }
 
 bool keeps_limits(const LimitedCurve& curve) {
   double where = 0.0;
   for (int e = 0; e < curve.problem().mesh().num_elements(); ++e) {
     if (!(curve.excess_on(e, where).value <= kExcess)) return false;
+  }
+  return true;
+}
+
+bool slopes_agree(const LimitedCurve& curve, const LimitedCurve& finer,
+                  double tolerance) {
+  const double allowed = allowed_turn(tolerance);
+  for (int e = 0; e < curve.problem().mesh().num_elements(); ++e) {
+    if (!(turn_on(e, curve, finer) <= allowed)) return false;
   }
   return true;
 }

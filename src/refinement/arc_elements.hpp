@@ -14,16 +14,20 @@
 namespace brachisto {
 
 /// Elements are divided that err too much in T, which falls with their length
-/// h like h^(2p) at least, or exceed a limit between their points, which falls
-/// like h^p.
+/// h like h^(2p) at least, or in their slopes, or exceed a limit between their
+/// points, which both fall like h^p. Whether any was.
 ///
 /// \param finer      on the same elements, by a higher degree
 /// \param tolerance  relative, of T
-void divide(const LimitedCurve& curve, const LimitedCurve& finer,
+bool divide(const LimitedCurve& curve, const LimitedCurve& finer,
             double tolerance, std::vector<Arc>& arcs);
 
 /// Whether no limit is exceeded, between the points neither.
 [[nodiscard]] bool keeps_limits(const LimitedCurve& curve);
+
+/// Whether no element would be divided for its slopes.
+[[nodiscard]] bool slopes_agree(const LimitedCurve& curve,
+                                const LimitedCurve& finer, double tolerance);
 
 /// The same arcs with each element in two.
 [[nodiscard]] std::vector<Arc> halved(std::vector<Arc> arcs);

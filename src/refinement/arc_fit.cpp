@@ -129,11 +129,11 @@ class Fit {
       if (!std::isfinite(left)) return fail("a junction has no slope");
       // What is left after one step may be of another kind than before it, and
       // T feels an open slope at A in the first order.
-      stalled = left > 0.5 * last_left ? stalled + 1 : 0;
+      if (left <= kClosed && left > 0.5 * last_left) ++stalled;
       last_left = left;
       const bool settled =
-          left <= kClosed && stalled > (left <= kSmallest ? 0 : 1);
-      if (settled && is_closed(system)) break;
+          left <= kClosed && (stalled > 1 || left <= kSmallest);
+      if (settled && is_solved(system)) break;
       // Moved by rounding, junctions would disturb the rest for ever, and what
       // other factors leave of it may be more than rounding.
       if (settled) drift_ = std::numeric_limits<double>::infinity();
@@ -162,6 +162,7 @@ class Fit {
         if (drop_vanishing(step, system)) return Outcome::Vanished;
       }
       const double before = system.residual();
+      const bool moves_junctions = !step.isZero();
       if (advance(system, newton, step)) {
         if (together) {
           steps_.went(step);
@@ -172,9 +173,18 @@ class Fit {
       }
       // Next to the solution junctions may be right to rounding, and the rest
       // not yet.
-      step.setZero();
-      if (!advance(system, newton, step)) break;
-      steps_.went({});
+      if (moves_junctions) {
+        step.setZero();
+        if (advance(system, newton, step)) {
+          steps_.went({});
+          continue;
+        }
+      }
+      // Nor by new factors, if these are.
+      if (drift_ == 0.0 || is_closed(system)) break;
+      drift_ = std::numeric_limits<double>::infinity();
+      last_left = std::numeric_limits<double>::infinity();
+      steps_ = {};
     }
     if (!is_closed(system)) {  // else what is left is rounding
       lost_ = true;
@@ -233,14 +243,15 @@ class Fit {
   /// what was done of it; shorter until the optimality conditions come nearer,
   /// or stay near enough for the next step to restore them.
   bool advance(PathSystem& system, const PathRates& newton, Vector& step) {
-    constexpr int kHalvings = 6;
+    // Of rounding there are a few draws.
+    const int halvings = step.isZero() && is_solved(system) ? 2 : 6;
     constexpr double kMoved = 1e-5;  // along the arcs
     const PathSetting from = now_;
     const PrimalDual start = system.point();
     const double residual = system.residual();
     const Vector wanted = step;
     double length = 1.0;
-    for (int k = 0; k <= kHalvings; ++k, length *= 0.5) {
+    for (int k = 0; k <= halvings; ++k, length *= 0.5) {
       now_ = from;
       step = length * wanted;
       if (!wanted.isZero()) move(step, now_);
@@ -296,7 +307,8 @@ class Fit {
     }
   }
 
-  [[nodiscard]] static bool is_closed(const PathSystem& system) {
+  /// Whether all is that is not open.
+  [[nodiscard]] static bool is_solved(const PathSystem& system) {
     constexpr double kResidual = 1e-12;
     constexpr double kLeast = 10.0, kMost = 1e3;
     // What is summed up in a residual, and rounded.
@@ -304,8 +316,10 @@ class Fit {
     for (const double lambda : system.point().lambda) {
       terms = std::clamp(std::abs(lambda), terms, kMost);
     }
-    return system.residual() <= kResidual * terms &&
-           largest(system.open()) <= kClosed;
+    return system.residual() <= kResidual * terms;
+  }
+  [[nodiscard]] static bool is_closed(const PathSystem& system) {
+    return is_solved(system) && largest(system.open()) <= kClosed;
   }
   /// Zero of nothing; what is not a number stays, which the norm passes over.
   [[nodiscard]] static double largest(const Vector& open) {

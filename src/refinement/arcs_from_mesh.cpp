@@ -100,8 +100,7 @@ LimitedRefinement refine_from_mesh(const LimitedCurve& mesh,
   if (!answer && without.mesh) {
     answer = answer_without_arcs(*without.mesh, protocol);
   }
-  return {
-      std::move(protocol).finished(), std::move(answer), {}, {}, {}, {}, {}};
+  return {std::move(protocol).finished(), std::move(answer)};
 }
 
 }  // namespace brachisto

@@ -34,6 +34,20 @@ std::optional<FittedPath> found_again(const FittedPath& path,
       .path;
 }
 
+/// Whether a limit in which two settings of a path differ holds somewhere; of a
+/// corner at A that is not asked.
+bool may_hold_what_differs(const PathSetting& one, const PathSetting& other) {
+  if (one.ends.corner) return true;
+  for (std::size_t i = 0; i < one.limits.size(); ++i) {
+    if (one.limits[i] == other.limits[i]) continue;
+    for (const Arc& arc : one.arcs) {
+      if (arc.held[i] != nlp::Held::No) return true;
+      if (arc.touch && arc.touch->limit == i) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 std::unique_ptr<TimeRates> LimitedRates::make(FittedPath path) {
@@ -100,6 +114,10 @@ TimeRate LimitedRates::along(PathSetting less, PathSetting more, double width) {
       less.ends.start = first;
       more.ends.start = second;
     }
+  }
+  if (!more.scene && less.ends.start == more.ends.start &&
+      !may_hold_what_differs(less, more)) {
+    return out;
   }
   // The slope at A is one of the values that are fixed.
   double lagrangian = 0.0;

@@ -49,9 +49,15 @@ class LimitedSolve {
         most_work_(most_search_work(options)),
         protocol_(options) {}
 
-  LimitedRefinement run() {
+  LimitedRefinement run(Tightening::Care care) {
     protocol_.most_work = kSearchAsAsked * most_work_;
-    refine(ways_->find());
+    if (care == Tightening::Care::Rough) refine(ways_->find_at_once());
+    rough_ = answer_.has_value();
+    if (!rough_ && !protocol_.stop.met()) {
+      protocol_.message.clear();
+      protocol_.most_work = protocol_.work + kSearchAsAsked * most_work_;
+      refine(ways_->find_with_care());
+    }
     if (!answer_ && !ways_->ended()) refine(ways_->from_mesh());
     if (answer_ || protocol_.status == Status::NoFastestTrack ||
         protocol_.stop.met()) {
@@ -118,7 +124,8 @@ class LimitedSolve {
             std::move(loosened_),
             work,
             std::move(tried),
-            from_random_};
+            from_random_,
+            rough_};
   }
 
   /// Whether the best path that was found does.
@@ -314,7 +321,7 @@ class LimitedSolve {
   std::optional<LimitedWays> ways_;
   std::optional<LimitedAnswer> answer_;
   std::vector<LoosenedPath> loosened_;
-  bool from_random_ = false;
+  bool from_random_ = false, rough_ = false;
   /// By how much looser limits are under which the way is known to be shut, and
   /// from where on it is not.
   double shut_to_ = -std::numeric_limits<double>::infinity();
@@ -327,8 +334,8 @@ class LimitedSolve {
 LimitedRefinement refine_limited(const Scene& scene,
                                  const Discretisation& wanted,
                                  const ExtremalCurve& free, double phi,
-                                 MeshOptions options) {
-  return LimitedSolve(scene, wanted, free, phi, options).run();
+                                 MeshOptions options, Tightening::Care care) {
+  return LimitedSolve(scene, wanted, free, phi, options).run(care);
 }
 
 LimitedRefinement refine_limited_cold(const Scene& scene,

@@ -25,8 +25,8 @@ namespace brachisto {
   return kByDefault * std::max(1.0, options.ipopt.max_iterations / kIterations);
 }
 /// The shares of it, each from where its way begins: under the limits asked
-/// for, from what the free path leads to; for random starts, and for what they
-/// lead to; under looser limits.
+/// for, from what the free path leads to, beside what a rough try takes; for
+/// random starts, and for what they lead to; under looser limits.
 inline constexpr double kSearchAsAsked = 0.52, kSearchCold = 0.12,
                         kSearchFromCold = 0.15, kSearchLooser = 0.4;
 /// The share that certifying a looser path has at the least, should the search
@@ -42,13 +42,15 @@ struct LoosenedPath : LimitedAnswer {
 
 /// Outcome of refine_limited().
 struct LimitedRefinement : RefinementProtocol {
-  std::optional<LimitedAnswer> answer;
-  std::optional<BlockingLimit> blocking;  ///< if limits were not kept
+  std::optional<LimitedAnswer> answer = {};
+  std::optional<BlockingLimit> blocking = {};  ///< if limits were not kept
   /// Without an answer: under tighter and tighter limits.
-  std::vector<LoosenedPath> loosened;
-  double work = 0.0;               ///< see most_search_work()
-  std::vector<std::string> tried;  ///< ways, in words; the last may be an end
-  bool from_random = false;        ///< the answer: others may be faster
+  std::vector<LoosenedPath> loosened = {};
+  double work = 0.0;  ///< see most_search_work()
+  /// Ways, in words; the last may be an end.
+  std::vector<std::string> tried = {};
+  bool from_random = false;  ///< the answer: others may be faster
+  bool rough = false;        ///< the answer: found at once, without care
 };
 
 /// In stages.
@@ -56,7 +58,8 @@ struct LimitedRefinement : RefinementProtocol {
 /// - Tightening: on a coarse mesh of equal elements an interior-point method
 ///   solves a row of programs, from limits that the free extremal keeps to
 ///   those of the scene, each from the solution before; the contact follows.
-///   If in the end that led nowhere, once more from each of other_ways().
+///   If in the end that led nowhere, once more from each of other_ways(). A
+///   rough try on half of the mesh comes first.
 /// - Arcs: where limits hold and where not is read off, elements end at the
 ///   junctions, and junctions and contacts are found as roots (fit_arcs()). If
 ///   the result exceeds a limit or has a multiplier of the wrong sign the arcs
@@ -75,10 +78,12 @@ struct LimitedRefinement : RefinementProtocol {
 ///
 /// \param scene  in natural units, with limits
 /// \param free   the extremal without them, with the end angle φ
+/// \param care   whether a rough try comes first
 [[nodiscard]] LimitedRefinement refine_limited(const Scene& scene,
                                                const Discretisation& wanted,
                                                const ExtremalCurve& free,
-                                               double phi, MeshOptions options);
+                                               double phi, MeshOptions options,
+                                               Tightening::Care care);
 
 /// From random paths alone, for a scene whose free extremal was not reached.
 ///

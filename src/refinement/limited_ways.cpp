@@ -10,6 +10,7 @@
 
 #include "refinement/arc_following.hpp"
 #include "refinement/open_conditions.hpp"
+#include "solvers/pivot_store.hpp"
 
 namespace brachisto {
 
@@ -18,6 +19,8 @@ LimitedWays::LimitedWays(const Scene& scene, const Discretisation& wanted,
                          const MeshOptions& options, PassProtocol& protocol)
     : scene_(scene),
       wanted_(wanted),
+      free_(free),
+      phi_(phi),
       options_(options),
       protocol_(protocol),
       tightening_(scene, free, phi, options.ipopt, protocol) {}
@@ -38,9 +41,32 @@ std::optional<FittedPath> LimitedWays::from_tight() {
   return path;
 }
 
-std::optional<FittedPath> LimitedWays::find() {
+std::optional<FittedPath> LimitedWays::find_at_once() {
   const PhaseTimer timer(Phase::Start);
   protocol_.tries("from the free path");
+  const Status status = protocol_.status;
+  const std::string message = protocol_.message;
+  // What comes after a failure is not to depend on its pivots either.
+  const ChainScope apart(ChainScope::threads());
+  std::optional<FittedPath> path =
+      with_share(kSearchRough, &LimitedWays::read_off_rough);
+  // No verdict, nor any reason: both are given with care.
+  if (!path && !protocol_.stop.met()) protocol_.fail(status, message);
+  return path;
+}
+
+std::optional<FittedPath> LimitedWays::find() {
+  const double work = protocol_.work;
+  auto path = find_at_once();
+  if (path || protocol_.stop.met()) return path;
+  protocol_.most_work += protocol_.work - work;
+  return find_with_care();
+}
+
+std::optional<FittedPath> LimitedWays::find_with_care() {
+  const PhaseTimer timer(Phase::Start);
+  protocol_.tries("from the free path");
+  tightening_.leave(protocol_.left(options_.ipopt).max_iterations);
   const bool tightened = tightening_.tighten();
   std::optional<FittedPath> path;
   if (tightened) path = with_share(0.5, &LimitedWays::read_off);
@@ -75,6 +101,11 @@ std::optional<FittedPath> LimitedWays::find() {
     protocol_.fail(status, message);  // of the first attempt that has one
   }
   return path;
+}
+std::optional<FittedPath> LimitedWays::read_off_rough() {
+  Tightening rough(scene_, free_, phi_, protocol_.left(options_.ipopt),
+                   protocol_, Tightening::Care::Rough);
+  return rough.tighten() ? arcs_from(rough.last()) : std::nullopt;
 }
 std::string LimitedWays::only_on_coarse_mesh() const {
   return fmt::format(

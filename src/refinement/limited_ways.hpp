@@ -17,9 +17,12 @@ namespace brachisto {
 
 /// Ways that begin with the free path, one after the other, until one leads to
 /// a path with arcs or, on meshes that know none, to an answer(). The protocol
-/// then tells what the first of them ended with.
+/// then tells what the first of them that took care ended with.
 class LimitedWays {
  public:
+  /// The share of the work and the iterations that find_at_once() may take.
+  static constexpr double kSearchRough = 0.1;
+
   /// All but phi must outlive this.
   ///
   /// \param scene  in natural units, with limits
@@ -28,8 +31,13 @@ class LimitedWays {
               const ExtremalCurve& free, double phi, const MeshOptions& options,
               PassProtocol& protocol);
 
-  /// All of them.
+  /// All of them: at once, or else with care, which then may take as much work
+  /// as without that.
   [[nodiscard]] std::optional<FittedPath> find();
+  /// The arcs that a rough path tells, if they fit: with a tenth of the work
+  /// and of the iterations that are left. If they do not, it gives no reason.
+  [[nodiscard]] std::optional<FittedPath> find_at_once();
+  [[nodiscard]] std::optional<FittedPath> find_with_care();
   /// What a coarse path that keeps the limits leads to.
   [[nodiscard]] std::optional<FittedPath> from_tight(const LimitedCurve& found);
   /// What a path under other limits leads to.
@@ -52,6 +60,7 @@ class LimitedWays {
  private:
   [[nodiscard]] std::string only_on_coarse_mesh() const;
 
+  [[nodiscard]] std::optional<FittedPath> read_off_rough();
   /// What the coarse path that tightening() ended with leads to.
   [[nodiscard]] std::optional<FittedPath> from_tight();
 
@@ -77,6 +86,8 @@ class LimitedWays {
 
   const Scene& scene_;
   const Discretisation& wanted_;
+  const ExtremalCurve& free_;
+  double phi_;
   const MeshOptions& options_;
   PassProtocol& protocol_;
   ArcSearch arcs_{protocol_, options_};

@@ -20,19 +20,29 @@
 
 namespace brachisto {
 
-/// Of a pass that begins next to a solution: so many steps, and what they take
-/// if they go well. Beyond that it goes in circles.
-[[nodiscard]] inline IpoptOptions of_short_pass(IpoptOptions ipopt,
-                                                const nlp::Problem& problem) {
-  constexpr int kMostIterations = 100;
-  // Of variables and constraints, by a step: slacks are factorised too, and
-  // some steps twice.
-  constexpr double kFactorised = 3.0;
-  ipopt.max_iterations = std::min(ipopt.max_iterations, kMostIterations);
-  ipopt.most_effort =
-      std::min(ipopt.most_effort,
-               kFactorised * kMostIterations *
-                   (problem.num_variables() + problem.num_constraints()));
+/// How far a pass of Ipopt may go: not far next to a solution, or where it is
+/// one of many tries.
+enum class Pass { Short, Long };
+
+/// So many steps, and what they factorise if they go well, of variables and
+/// constraints: slacks count too, and some steps factorise twice. Beyond that
+/// it goes in circles, with several factorisations a step and many dense
+/// fronts; small programs may do so for a while in a long one. Of a thousand
+/// makers' scenes none is lost by it.
+[[nodiscard]] inline IpoptOptions of_pass(Pass pass, IpoptOptions ipopt,
+                                          const nlp::Problem& problem) {
+  struct Bounds {
+    int iterations;
+    double factorised, least_effort;
+  };
+  const Bounds most =
+      pass == Pass::Short ? Bounds{100, 3.0, 0.0} : Bounds{400, 2.0, 1.2e7};
+  ipopt.max_iterations = std::min(ipopt.max_iterations, most.iterations);
+  ipopt.most_effort = std::min(
+      ipopt.most_effort,
+      std::max(most.least_effort,
+               most.factorised * most.iterations *
+                   (problem.num_variables() + problem.num_constraints())));
   return ipopt;
 }
 

@@ -35,23 +35,26 @@ bool winds(const LimitedCurve& curve) {
   return false;
 }
 
-Mesh coarse_mesh(const Scene& scene, const ExtremalCurve& free) {
+Mesh coarse_mesh(const Scene& scene, const ExtremalCurve& free,
+                 Tightening::Care care) {
   constexpr int kDegree = 4;
+  const int elements =
+      static_cast<int>(24 + 12 * turns(scene.body, free.arc_length()));
   return uniform_mesh(
-      kDegree,
-      static_cast<int>(24 + 12 * turns(scene.body, free.arc_length())));
+      kDegree, care == Tightening::Care::Rough ? elements / 2 : elements);
 }
 
 }  // namespace
 
 Tightening::Tightening(const Scene& scene, const ExtremalCurve& free,
                        double phi, const IpoptOptions& ipopt,
-                       PassProtocol& protocol)
+                       PassProtocol& protocol, Care care)
     : scene_(scene),
       free_(free),
       relaxation_(scene, free),
       limits_(inequalities(scene.body, scene.limits)),
-      mesh_(coarse_mesh(scene, free)),
+      care_(care),
+      mesh_(coarse_mesh(scene, free, care)),
       ipopt_(ipopt),
       budget_(ipopt.max_iterations),
       protocol_(protocol) {
@@ -60,30 +63,15 @@ Tightening::Tightening(const Scene& scene, const ExtremalCurve& free,
   if (scene.world.start_speed > 0.0) first_ends_.start = free.at(0.0).beta;
 }
 
-IpoptOptions Tightening::of_cold_pass(const nlp::Problem& problem) const {
-  constexpr int kMostIterations = 400;
-  // A run that goes in circles has several factorisations a step, with many
-  // dense fronts: several times this. Of a thousand makers' scenes none is lost
-  // by it. Large programs may take twice what all their steps do if these go
-  // well.
-  constexpr double kCircling = 1.2e7, kFactorisationsAStep = 2.0;
-  IpoptOptions ipopt = ipopt_;
-  ipopt.max_iterations = std::min(ipopt.max_iterations, kMostIterations);
-  ipopt.most_effort = std::max(
-      kCircling, kFactorisationsAStep * kMostIterations *
-                     (problem.num_variables() + problem.num_constraints()));
-  return ipopt;
-}
-
 SolverResult Tightening::run(nlp::Problem& problem, const PrimalDual& start,
                              double complementarity, Pass pass) {
   // Solutions are starts.
   constexpr double kTolerance = 1e-8;
-  IpoptOptions ipopt = pass == Pass::Warm ? of_short_pass(ipopt_, problem)
-                                          : of_cold_pass(problem);
+  IpoptOptions ipopt =
+      of_pass(care_ == Care::Rough ? Pass::Short : pass, ipopt_, problem);
   ipopt.max_iterations = std::min(budget_, ipopt.max_iterations);
-  ipopt.tolerance = std::max(ipopt.tolerance, kTolerance);
-  ipopt.complementarity = complementarity;
+  ipopt.tolerance = std::max(ipopt.tolerance, wider() * kTolerance);
+  ipopt.complementarity = wider() * complementarity;
   SolverResult result = solve_with_ipopt(problem, start, ipopt);
   budget_ = std::max(0, budget_ - result.iterations);
   protocol_.add(result, problem);
@@ -186,7 +174,7 @@ bool Tightening::solve_elastic(const LimitedEnds& ends, double price) {
   nlp::Elastic elastic(problem, give_, price);
   SolverResult result =
       run(elastic, elastic.with_elasticity(std::move(start), given_way_),
-          kComplementarity, Pass::Cold);
+          kComplementarity, Pass::Long);
   const double given_way = result.point.x.empty() ? 0.0 : result.point.x.back();
   if (result.status == Status::Solved) {
     result.point = elastic.without_elasticity(std::move(result.point));
@@ -243,7 +231,7 @@ bool Tightening::keep_limits(const LimitedEnds& ends) {
   std::optional<double> before;  // at a tenth of the price
   for (double price = 1.0; price <= kHighestPrice; price *= 10.0) {
     const bool solved = solve_elastic(ends, price);
-    if (solved && given_way_ <= kNone) return true;
+    if (solved && given_way_ <= wider() * kNone) return true;
     if (!has_more()) return false;
     if (!solved && price > 1.0) return false;
     if (solved && before && given_way_ > kSame * *before) {
@@ -376,7 +364,7 @@ bool Tightening::tighten_after(const std::vector<PathInequality>& looser) {
 bool Tightening::solve_finer() {
   const auto ends = next_ends(limits_);
   if (!ends) return none_at_rest();
-  if (!solve_rigid(limits_, finer_at_changes(*last_), *ends, Pass::Warm)) {
+  if (!solve_rigid(limits_, finer_at_changes(*last_), *ends, Pass::Short)) {
     return false;
   }
   protocol_.keep_record("limits", last_->transit_time());

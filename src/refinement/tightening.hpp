@@ -35,12 +35,20 @@ struct BlockingLimit {
 /// if not, the protocol says why. All share one budget of iterations.
 class Tightening {
  public:
+  /// Rough is half of the mesh, wider tolerances and short passes: most scenes
+  /// need no more for their arcs to be read off.
+  enum class Care { Rough, Full };
+
   /// What is given by reference must outlive this.
   ///
   /// \param scene  in natural units, with limits
   /// \param free   the extremal without them, with the end angle φ
   Tightening(const Scene& scene, const ExtremalCurve& free, double phi,
-             const IpoptOptions& ipopt, PassProtocol& protocol);
+             const IpoptOptions& ipopt, PassProtocol& protocol,
+             Care care = Care::Full);
+
+  /// Takes no more iterations from now on than are left.
+  void leave(int iterations) { budget_ = std::min(budget_, iterations); }
 
   /// Whether what is in the way leaves no way at all, or loads let the body not
   /// come down; then the protocol says so. Looked into once, however often it
@@ -131,10 +139,11 @@ class Tightening {
  private:
   using Inequalities = std::vector<PathInequality>;
 
-  /// Whether it begins next to a solution.
-  enum class Pass { Cold, Warm };
-
-  [[nodiscard]] IpoptOptions of_cold_pass(const nlp::Problem& problem) const;
+  /// Of tolerances with full care.
+  [[nodiscard]] double wider() const {
+    return care_ == Care::Rough ? 30.0 : 1.0;
+  }
+  /// \param complementarity  with full care; see IpoptOptions
   [[nodiscard]] SolverResult run(nlp::Problem& problem, const PrimalDual& start,
                                  double complementarity, Pass pass);
   /// What was found, if anything was.
@@ -142,7 +151,7 @@ class Tightening {
   /// The last solution, or else a rough path or the free extremal.
   [[nodiscard]] PrimalDual start_of(const LimitedTime& problem) const;
   bool solve_rigid(const Inequalities& limits, const Mesh& mesh,
-                   const LimitedEnds& ends, Pass pass = Pass::Cold);
+                   const LimitedEnds& ends, Pass pass = Pass::Long);
   /// The same on the first mesh, from the free extremal.
   bool solve_anew(const Inequalities& limits);
   /// With limits that give way at a price.
@@ -202,6 +211,7 @@ class Tightening {
   std::optional<std::vector<RoughPath>> other_ways_;  ///< that are left
   LimitRelaxation relaxation_;
   Inequalities limits_;  ///< of the scene
+  Care care_;
   Mesh mesh_;
   LimitedEnds first_ends_;
   IpoptOptions ipopt_;

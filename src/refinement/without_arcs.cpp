@@ -271,7 +271,7 @@ class WithoutArcs {
   [[nodiscard]] SolverResult run(nlp::Problem& problem, const PrimalDual& start,
                                  double complementarity) {
     constexpr double kTolerance = 1e-11;
-    IpoptOptions ipopt = of_short_pass(ipopt_, problem);
+    IpoptOptions ipopt = of_pass(Pass::Short, ipopt_, problem);
     ipopt.tolerance = std::max(ipopt.tolerance, kTolerance);
     ipopt.complementarity = complementarity;
     SolverResult result = solve_with_ipopt(problem, start, ipopt);

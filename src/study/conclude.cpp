@@ -132,7 +132,8 @@ void conclude_elsewhere(const PosedProblem& posed, const LimitedCurve& curve,
 
 /// As conclude_resolved() does, which adds where the path came from.
 void conclude_again_and_again(const PosedProblem& posed,
-                              LimitedRefinement found, Solution& out) {
+                              LimitedRefinement found, Solution& out,
+                              Elsewhere elsewhere) {
   constexpr int kRounds = 3;
   const Discretisation& wanted = posed.program.discretisation;
   conclude(posed, found, out);
@@ -156,7 +157,10 @@ void conclude_again_and_again(const PosedProblem& posed,
     if (round == kRounds || (!(held && resolved_by(*std::move(held))) &&
                              !(under_resolved(out.certificate) &&
                                resolved_by(halved(path.arcs))))) {
-      return conclude_elsewhere(posed, path.curve, out);
+      if (elsewhere == Elsewhere::WithoutArcs) {
+        conclude_elsewhere(posed, path.curve, out);
+      }
+      return;
     }
     conclude(posed, found, out);
   }
@@ -165,9 +169,9 @@ void conclude_again_and_again(const PosedProblem& posed,
 }  // namespace
 
 void conclude_resolved(const PosedProblem& posed, LimitedRefinement found,
-                       Solution& out) {
+                       Solution& out, Elsewhere elsewhere) {
   const bool from_random = found.from_random;
-  conclude_again_and_again(posed, std::move(found), out);
+  conclude_again_and_again(posed, std::move(found), out, elsewhere);
   if (from_random && out.verified()) {
     out.message +=
         ". The path was found from a random one; others may be faster";

@@ -29,10 +29,14 @@ void conclude(const PosedProblem& posed, const LimitedAnswer& found,
 /// the answer under looser ones.
 void conclude(const PosedProblem& posed, const LimitedRefinement& refinement,
               Solution& out);
+/// Where to look for another path if one is not verified.
+enum class Elsewhere { WithoutArcs, Nowhere };
+
 /// The same, and again on halved elements where T is accurate and the path not
-/// yet, or without arcs where that does not lead to a verified path.
+/// yet, or elsewhere where that does not lead to a verified path.
 void conclude_resolved(const PosedProblem& posed, LimitedRefinement found,
-                       Solution& out);
+                       Solution& out,
+                       Elsewhere elsewhere = Elsewhere::WithoutArcs);
 
 /// With the limit that was not kept.
 void record_limited(const PosedProblem& posed,

@@ -11,6 +11,7 @@
 #include <limits>
 
 #include "math/machine_speed.hpp"
+#include "model/path_inequality.hpp"
 #include "refinement/turn_meshes.hpp"
 
 namespace brachisto {
@@ -60,8 +61,25 @@ Cost of_fixed_mesh(double nodes, const Collocation& program, bool limited) {
           std::min(3.7e-5 * n, 0.2 + 1.4e-5 * n)};
 }
 
+/// Nodes a turn at most, which grow with the arcs and the corrections of what
+/// is held along them: bounds of the place bend the path more gently than those
+/// of the control.
+double nodes_per_turn(const Scene& limited) {
+  const auto of_control = std::ranges::count_if(
+      inequalities(limited.body, limited.limits),
+      [](const PathInequality& limit) {
+        // Friction is two.
+        return limit.bounds_control() &&
+               limit.kind != PathInequality::Kind::FrictionBackward;
+      });
+  return of_control == 0 ? 200.0 : of_control == 1 ? 265.0 : 365.0;
+}
+
 /// The way of a branch turn by turn, and the mesh that it ends on.
-Cost of_adaptive_mesh(double turns, const Discretisation& mesh, bool limited) {
+///
+/// \param limited  null without limits
+Cost of_adaptive_mesh(double turns, const Discretisation& mesh,
+                      const Scene* limited) {
   const double tolerance = mesh.wanted_tolerance();
   if (mesh.formulation == Formulation::ArcLength) {
     // The error of straight pieces falls with the square of their number.
@@ -73,11 +91,12 @@ Cost of_adaptive_mesh(double turns, const Discretisation& mesh, bool limited) {
   const Cost way{(40.0 + 26.0 * turns) * finer,
                  (2e6 + kBytesPerTurn * turns) * finer,
                  1.6e-3 * turns + 9e-5 * std::pow(turns, 1.5)};
-  if (!limited) return way;
-  // Between the ends of their arcs meshes are finer; the program is solved on
-  // several, each from another guess of the arcs.
-  const double nodes = std::max(230.0, 330.0 * turns) * finer;
-  return {nodes, way.bytes + 20e3 * nodes, way.seconds + 3.0e-4 * nodes};
+  if (limited == nullptr) return way;
+  // The program is solved on several meshes, each from another guess of the
+  // arcs.
+  const double nodes =
+      std::max(150.0, nodes_per_turn(*limited) * turns) * finer;
+  return {nodes, way.bytes + 20e3 * nodes, way.seconds + 2.0e-4 * nodes};
 }
 
 /// The indirect method, and the mesh on which its extremal is judged: see
@@ -151,8 +170,8 @@ Forecast forecast(const PosedProblem& posed) {
   Forecast out;
   out.turns = turns(posed.natural.body,
                     posed.cycloid->arc_length(posed.cycloid->psi_end));
-  const bool limited = posed.limited.has_value();
-  const Cost way = of_adaptive_mesh(out.turns, {}, false);
+  const Scene* limited = posed.limited ? &*posed.limited : nullptr;
+  const Cost way = of_adaptive_mesh(out.turns, {}, nullptr);
   Cost cost = way;
   if (posed.options.of<Shooting>() != nullptr) {
     cost = of_shooting(out.turns);
@@ -161,7 +180,7 @@ Forecast forecast(const PosedProblem& posed) {
     cost = of_discrete_system(*system);
   } else if (const std::optional<double> nodes =
                  nodes_of(posed.program.discretisation)) {
-    cost = of_fixed_mesh(*nodes, posed.program, limited);
+    cost = of_fixed_mesh(*nodes, posed.program, limited != nullptr);
   } else {
     cost = of_adaptive_mesh(out.turns, posed.program.discretisation, limited);
     out.adaptive = true;

@@ -13,6 +13,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <memory>
 #include <utility>
@@ -63,6 +64,9 @@ void refine_under_limits(const PosedProblem& posed, const Start& start,
                          Solution& out);
 void refine_cold_under_limits(const PosedProblem& posed, const Start& start,
                               Solution& out);
+void with_the_care_it_takes(
+    const PosedProblem& posed, Solution& out,
+    const std::function<bool(Tightening::Care, Solution&)>& way);
 
 }  // namespace
 
@@ -117,10 +121,12 @@ void follow_neighbour(const PosedProblem& posed, const Neighbour& neighbour,
   }
   const auto path = path_beside(posed, neighbour);
   if (!path) return;
-  const auto refinement =
+  auto refinement =
       refine_limited_beside(*posed.limited, posed.program.discretisation, *path,
                             posed.mesh_options_after(out.effort));
-  if (refinement) conclude(posed, *refinement, out);
+  if (refinement) {
+    conclude_resolved(posed, *std::move(refinement), out, Elsewhere::Nowhere);
+  }
 }
 
 /// What the time changes by with the scene.
@@ -189,24 +195,28 @@ void shoot_under_limits(const PosedProblem& posed, Solution& out) {
   if (posed.stop().met() || !start.curve) return;
   Discretisation loose = posed.program.discretisation;
   loose.tolerance = std::max(kForArcs, loose.wanted_tolerance());
-  const LimitedRefinement program =
-      refine_limited(*posed.limited, loose, *start.curve, start.phi,
-                     posed.mesh_options_after(out.effort));
-  record_limited(posed, program, out);
-  record_loosened(posed, program, out);
-  if (!program.answer || posed.stop().met()) return;
-  const FittedPath& nearby = program.answer->path;
-  const LimitedExtremal extremal = shoot_over_arcs(nearby, posed.stop());
-  record(extremal, out);
-  const Outcome outcome = outcome_of(extremal);
-  record(outcome, out);
-  if (!extremal.solved) return;
-  const LimitedAnswer found = [&] {
-    const CertificateTimer timer(out.effort);
-    return answer_from_extremal(nearby, extremal, posed.stop());
-  }();
-  conclude(posed, found, outcome.message, out,
-           extremal.transit_time * posed.units.time);
+  const auto shot = [&](Tightening::Care care, Solution& there) {
+    const LimitedRefinement program =
+        refine_limited(*posed.limited, loose, *start.curve, start.phi,
+                       posed.mesh_options_after(there.effort), care);
+    record_limited(posed, program, there);
+    record_loosened(posed, program, there);
+    if (!program.answer || posed.stop().met()) return program.rough;
+    const FittedPath& nearby = program.answer->path;
+    const LimitedExtremal extremal = shoot_over_arcs(nearby, posed.stop());
+    record(extremal, there);
+    const Outcome outcome = outcome_of(extremal);
+    record(outcome, there);
+    if (!extremal.solved) return program.rough;
+    const LimitedAnswer found = [&] {
+      const CertificateTimer timer(there.effort);
+      return answer_from_extremal(nearby, extremal, posed.stop());
+    }();
+    conclude(posed, found, outcome.message, there,
+             extremal.transit_time * posed.units.time);
+    return program.rough;
+  };
+  with_the_care_it_takes(posed, out, shot);
 }
 
 /// The paper's discrete system: an answer to other equations, and its distance
@@ -389,12 +399,38 @@ void refine_cold_under_limits(const PosedProblem& posed, const Start& start,
   }
 }
 
+/// Roughly, and if what that leads to is not verified once more with care, with
+/// nothing of the first but what it took.
+///
+/// \param way  whether its outcome rests on a rough path
+void with_the_care_it_takes(
+    const PosedProblem& posed, Solution& out,
+    const std::function<bool(Tightening::Care, Solution&)>& way) {
+  const Solution before = out;
+  const bool rough = way(Tightening::Care::Rough, out);
+  // A mesh that is fixed may only be too coarse.
+  if (!rough || out.verified() || posed.program.discretisation.fixed() ||
+      posed.stop().met()) {
+    return;
+  }
+  Solution with_care = before;
+  with_care.effort = out.effort;
+  way(Tightening::Care::Full, with_care);
+  out = std::move(with_care);
+}
+
 void refine_under_limits(const PosedProblem& posed, const Start& start,
                          Solution& out) {
-  const LimitedRefinement found =
-      refine_limited(*posed.limited, posed.program.discretisation, *start.curve,
-                     start.phi, posed.mesh_options_after(out.effort));
-  conclude_resolved(posed, found, out);
+  with_the_care_it_takes(
+      posed, out, [&](Tightening::Care care, Solution& there) {
+        const LimitedRefinement found = refine_limited(
+            *posed.limited, posed.program.discretisation, *start.curve,
+            start.phi, posed.mesh_options_after(there.effort), care);
+        conclude_resolved(
+            posed, found, there,
+            found.rough ? Elsewhere::Nowhere : Elsewhere::WithoutArcs);
+        return found.rough;
+      });
 }
 
 }  // namespace

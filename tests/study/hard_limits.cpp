@@ -73,6 +73,42 @@ TEST(HardLimits, ElementsAreHalvedUntilTheMotionIsAsAccurateAsTheTime) {
   EXPECT_LE(solution.certificate.find("reintegration_error")->value, 1e-10);
 }
 
+/// T is right to 1e-13 on elements between whose nodes slopes err by 1e-7. They
+/// are divided until these do not by more than 1e-8, or 1e-3 √tolerance.
+TEST(HardLimits, ElementsAreDividedUntilThePathIsAccurateBetweenItsNodes) {
+  constexpr double kAllowed = 1e-8;
+  PathLimits limits;
+  limits.floor = 1.25;
+  limits.discs = {{{1.35, 0.35}, 0.15}};
+  const Scene scene =
+      cylinder_scene(1.0 / 3.0, 2.0 / 3.0, 0.0, 0.5, 3.0, limits);
+
+  const Solution solution = solve(scene);
+  const Solution shot = solve(scene, {.method = Shooting{}});
+
+  ASSERT_TRUE(solution.verified()) << solution.message;
+  ASSERT_TRUE(shot.verified()) << shot.message;
+  for (int i = 0; i <= 1000; ++i) {
+    const double sigma = i / 1000.0;
+    EXPECT_NEAR(solution.motion()->at(sigma).beta,
+                shot.motion()->at(sigma).beta, kAllowed)
+        << sigma;
+  }
+}
+
+/// Slopes next to A would be more accurate yet on elements on which no arcs are
+/// found: nothing is missing where they are not.
+TEST(HardLimits, AnAnswerIsNoFailureWhereItsElementsCannotBeDivided) {
+  PathLimits limits;
+  limits.normal_min = 1e-5;
+
+  const Solution solution =
+      solve(cylinder_scene(1.0 / 3.0, 2.0 / 3.0, 0.0, 0.5, 3.0, limits));
+
+  EXPECT_TRUE(solution.verified());
+  EXPECT_EQ(solution.message, "solved under limits");
+}
+
 /// And until the contacts are as closed as the certificate wants them.
 TEST(HardLimits, ElementsAreHalvedUntilTheContactsAreClosed) {
   PathLimits limits;

@@ -300,9 +300,9 @@ TEST(LimitedWitness, AgreesThatABoundOfValleysFreesTheSlopeOfAGivenCentre) {
 struct Fitted {
   explicit Fitted(const Scene& scene) : posed(pose(scene, {}, {})) {
     const Start start = start_from_cycloid(posed);
-    LimitedRefinement found =
-        refine_limited(*posed.limited, posed.program.discretisation,
-                       *start.curve, start.phi, posed.mesh_options_after({}));
+    LimitedRefinement found = refine_limited(
+        *posed.limited, posed.program.discretisation, *start.curve, start.phi,
+        posed.mesh_options_after({}), Tightening::Care::Rough);
     if (!found.answer) throw std::runtime_error(found.message);
     path.emplace(std::move(found.answer->path));
   }

@@ -20,10 +20,10 @@ struct PosedFile {
   Start start;
 
   explicit PosedFile(const std::string& name)
-      : problem(pose(
-            io::read_problem_file(BRACHISTO_PROBLEMS_DIR "/limits/" + name)
-                .scene,
-            {}, {})),
+      : problem(
+            pose(io::read_problem_file(BRACHISTO_PROBLEMS_DIR "/limits/" + name)
+                     .scene,
+                 {}, {})),
         start(start_from_cycloid(problem)) {}
 
   [[nodiscard]] MeshOptions options() const {

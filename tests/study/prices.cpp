@@ -269,10 +269,22 @@ INSTANTIATE_TEST_SUITE_P(Bounds, OptimalPrice,
                          ::testing::ValuesIn(optimal_bounds()),
                          [](const auto& row) { return row.param.test; });
 
+/// Nor does it decide the direction at A.
+TEST(PriceOfASlackLimit, IsZero) {
+  PathLimits limits = least_force(0.1);
+  limits.floor = 2.0;
+  const Solution solution = solve(under(off_centred_scene(), limits));
+  ASSERT_TRUE(solution.verified()) << solution.message;
+  const LimitOnPath floor = limit_named(solution, "floor");
+  ASSERT_TRUE(floor.active.empty());
+  EXPECT_EQ(floor.price, 0.0);
+  EXPECT_EQ(floor.price_at_fixed_contacts, 0.0);
+}
+
 /// A bound too small for an arc decides the direction at A all the same. A step
 /// of a hundredth of the bound leaves a ten-thousandth of the difference.
 TEST(PriceAtRest, IsTheSlopeOfTheTimeOfWholeSolves) {
-  constexpr double kBound = 1e-4, kStep = 1e-6;
+  constexpr double kBound = 3e-5, kStep = 3e-7;
   const auto solved = [](double bound) {
     return solve(under(off_centred_scene(), least_force(bound)));
   };

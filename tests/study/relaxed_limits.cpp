@@ -78,9 +78,9 @@ TEST(RelaxedLimits, AreCertifiedAfterASearchThatTookMoreThanItsShare) {
   const PosedProblem posed = pose(impossible(), {}, {});
   const Start start = start_from_cycloid(posed);
   ASSERT_TRUE(start.curve);
-  LimitedRefinement found =
-      refine_limited(*posed.limited, posed.program.discretisation, *start.curve,
-                     start.phi, posed.mesh_options_after({}));
+  LimitedRefinement found = refine_limited(
+      *posed.limited, posed.program.discretisation, *start.curve, start.phi,
+      posed.mesh_options_after({}), Tightening::Care::Rough);
   ASSERT_FALSE(found.loosened.empty());
   found.work = 1.05 * most_search_work(posed.mesh_options);
 

@@ -97,10 +97,10 @@ class WithoutArcsBeside : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(WithoutArcsBeside, PathsOnArcsErrByNoMoreThanTheyEstimate) {
   const Posed posed(GetParam());
-  const LimitedRefinement arcs =
-      refine_limited(*posed.problem.limited,
-                     posed.problem.program.discretisation, *posed.start.curve,
-                     posed.start.phi, posed.problem.mesh_options_after({}));
+  const LimitedRefinement arcs = refine_limited(
+      *posed.problem.limited, posed.problem.program.discretisation,
+      *posed.start.curve, posed.start.phi, posed.problem.mesh_options_after({}),
+      Tightening::Care::Rough);
   ASSERT_TRUE(arcs.answer);
 
   const std::vector<PathWithoutArcs> found = posed.without_arcs(false);

@@ -180,7 +180,7 @@ class Fit {
           continue;
         }
       }
-      // Nor by new factors, if these are.
+      // Factors of this place may do what those of another did not.
       if (drift_ == 0.0 || is_closed(system)) break;
       drift_ = std::numeric_limits<double>::infinity();
       last_left = std::numeric_limits<double>::infinity();

@@ -14,9 +14,9 @@ namespace brachisto::io {
 
 namespace {
 
-/// Adds the keys of a section to a document.
-void add_section(Json& document, const Draft& problem,
-                 std::string_view section) {
+/// Calls take(path, value) for each key of a section.
+template <class Take>
+void each_key(const Draft& problem, std::string_view section, Take&& take) {
   std::string_view absent = "\n";  // what is below, the problem does not have
   for (const KeySpec& spec : key_table()) {
     const bool inside = spec.path == section || below(spec.path, section);
@@ -30,12 +30,25 @@ void add_section(Json& document, const Draft& problem,
     if (value.is_object()) continue;  // its keys follow
     absent = spec.path;
     if (spec.value.silent && value.is_null()) continue;
-    Json* place = &document;
-    for (const std::string& part : parts_of(spec.path)) {
-      place = &(*place)[part];
-    }
-    *place = std::move(value);
+    take(spec.path, std::move(value));
   }
+}
+
+template <class Take>
+void each_key(const Scene& scene, const SolveOptions& options, Take&& take) {
+  ProblemFile problem;
+  problem.scene = scene;
+  problem.options = options;
+  const Draft draft(problem);
+  for (const char* section : {"scene", "discretisation", "solver"}) {
+    each_key(draft, section, take);
+  }
+}
+
+void add(Json& document, std::string_view path, Json value) {
+  Json* place = &document;
+  for (const std::string& part : parts_of(path)) place = &(*place)[part];
+  *place = std::move(value);
 }
 
 void drop_nulls(YamlValue& map, const std::string& path) {
@@ -51,20 +64,26 @@ void drop_nulls(YamlValue& map, const std::string& path) {
 }  // namespace
 
 Json effective_input(const Scene& scene, const SolveOptions& options) {
-  ProblemFile problem;
-  problem.scene = scene;
-  problem.options = options;
-  const Draft draft(problem);
   Json document;
-  for (const char* section : {"scene", "discretisation", "solver"}) {
-    add_section(document, draft, section);
-  }
+  each_key(scene, options, [&](std::string_view path, Json value) {
+    add(document, path, std::move(value));
+  });
   return document;
+}
+
+std::string effective_lines(const Scene& scene, const SolveOptions& options) {
+  std::string lines;
+  each_key(scene, options, [&](std::string_view path, const Json& value) {
+    lines.append(path).append(" ").append(value.dump()).append("\n");
+  });
+  return lines;
 }
 
 Json effective_section(const ProblemFile& problem, std::string_view section) {
   Json document;
-  add_section(document, Draft(problem), section);
+  each_key(Draft(problem), section, [&](std::string_view path, Json value) {
+    add(document, path, std::move(value));
+  });
   return document.at(section);
 }
 

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <string>
 #include <string_view>
 
 #include "io/key_spec.hpp"
@@ -18,6 +19,10 @@ namespace brachisto::io {
 /// filled in, by the table of keys; null for what it does not have.
 [[nodiscard]] Json effective_input(const Scene& scene,
                                    const SolveOptions& options);
+
+/// The same as text, a line to each key.
+[[nodiscard]] std::string effective_lines(const Scene& scene,
+                                          const SolveOptions& options);
 
 /// One section of a problem.
 [[nodiscard]] Json effective_section(const ProblemFile& problem,

@@ -124,8 +124,8 @@ class Correction {
  public:
   /// \param curve, arcs  must outlive this
   Correction(const LimitedCurve& curve, const std::vector<Arc>& arcs,
-             Takeover takeover)
-      : curve_(curve), arcs_(arcs), takeover_(takeover) {}
+             Takeover takeover, double exceeded)
+      : curve_(curve), arcs_(arcs), takeover_(takeover), exceeded_(exceeded) {}
 
   [[nodiscard]] std::optional<ArcsFromA> run() {
     std::optional<StartCorner> corner = curve_.problem().ends().corner;
@@ -170,10 +170,12 @@ class Correction {
       const bool before_touch = arc.touch && e + 1 == end;
       for (const double t : curve_.places(e, kPlaces)) {
         // Junctions belong to two arcs. At rest multipliers say nothing, but
-        // limits may be exceeded for the first moment alone.
+        // limits may be exceeded for the first moment alone, and for the last.
         const bool at_rest = e == 0 && t == 0.0 && !turns_at_rest(arc);
-        if ((t == 0.0 && !at_rest) || t == 1.0) continue;
-        look_at(arc, e, t, given_up, !before_touch && !at_rest);
+        const bool at_B =
+            t == 1.0 && e + 1 == curve_.problem().mesh().num_elements();
+        if ((t == 0.0 && !at_rest) || (t == 1.0 && !at_B)) continue;
+        look_at(arc, e, t, given_up, !before_touch && !at_rest && !at_B);
       }
     }
     if (arc.touch) keep_touch(arc, end);
@@ -189,12 +191,14 @@ class Correction {
 
   [[nodiscard]] bool pulls_wrong(const Arc& arc, const LimitedPoint& place,
                                  std::size_t limit) const {
-    constexpr double kWrongSign = 1e-3;  // of the arc's largest
+    // Of the arc's largest, and what is rounding of costates, which are some 1:
+    // multipliers of arcs of 1e-4 are no more.
+    constexpr double kWrongSign = 1e-3, kRounding = 1e-12;
     const Held held = arc.held[limit];
     const double multiplier = place.multipliers[limit];
     return held != Held::No &&
            (held == Held::AtLower ? multiplier : -multiplier) >
-               kWrongSign * largest_;
+               std::max(kRounding, kWrongSign * largest_);
   }
   [[nodiscard]] bool pulls_wrong_anywhere(const Arc& arc, int first,
                                           int end) const {
@@ -245,9 +249,8 @@ class Correction {
   };
   [[nodiscard]] Exceeded exceeded(const Arc& arc,
                                   const LimitedPoint& place) const {
-    constexpr double kExceeded = 1e-7;
     const LimitedTime& problem = curve_.problem();
-    Exceeded worst{0, Held::No, kExceeded};
+    Exceeded worst{0, Held::No, exceeded_};
     for (std::size_t i = 0; i < arc.held.size(); ++i) {
       if (arc.held[i] != Held::No) continue;
       const PathInequality& limit = problem.limits()[i];
@@ -280,6 +283,7 @@ class Correction {
   const LimitedCurve& curve_;
   const std::vector<Arc>& arcs_;
   Takeover takeover_;
+  double exceeded_;
   double largest_ = 0.0;  ///< multiplier on the arc that is looked at
   std::vector<Sighting> seen_;
   std::vector<std::vector<Held>> before_;  ///< what was held there
@@ -305,8 +309,8 @@ ArcsFromA with_corner(const LimitedTime& problem, std::vector<Arc> arcs,
 
 std::optional<ArcsFromA> corrected(const LimitedCurve& curve,
                                    const std::vector<Arc>& arcs,
-                                   Takeover takeover) {
-  return Correction(curve, arcs, takeover).run();
+                                   Takeover takeover, double exceeded) {
+  return Correction(curve, arcs, takeover, exceeded).run();
 }
 
 }  // namespace brachisto

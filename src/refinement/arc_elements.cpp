@@ -7,12 +7,11 @@
 #include <cmath>
 #include <utility>
 
+#include "solvers/larger.hpp"
+
 namespace brachisto {
 
 namespace {
-
-/// Allowed between points, well below what a certificate allows.
-constexpr double kExcess = 1e-9;
 
 /// The slope of a path may err so much [rad]: T is flat about the fastest path,
 /// so that a slope that errs by ε costs some ε² of it, but it is the path that
@@ -21,22 +20,41 @@ double allowed_turn(double tolerance) {
   return 1e-3 * std::sqrt(tolerance);
 }
 
-/// By how much that of one path is off that of another along an element, less
-/// what follows from what it is off at the ends: there a path is more accurate,
-/// and errs by what came before.
-double turn_on(int element, const LimitedCurve& one,
-               const LimitedCurve& other) {
-  const auto off = [&](double share) {
-    return one.state_at(element, share).beta -
-           other.state_at(element, share).beta;
+/// By how much one path is off another along an element.
+struct Difference {
+  double slope = 0.0;  ///< [rad], at the same σ
+  /// Of slope and w at the same places of the element, less what follows from
+  /// its ends: what is made here, and not carried along from other elements or
+  /// due to junctions that moved; in natural units.
+  double made_here = 0.0;
+};
+
+Difference difference(int element, const LimitedCurve& one,
+                      const LimitedCurve& other) {
+  struct Off {
+    double slope, w;
   };
-  const double first = off(0.0), last = off(1.0);
-  double most = 0.0;
+  Difference result;
+  const auto off = [&](double share) {
+    const auto [e, t] = other.problem().mesh().locate(
+        one.problem().mesh().sigma(element, share));
+    const TurningPoint<double> a = one.state_at(element, share);
+    const TurningPoint<double> b = other.state_at(element, share);
+    result.slope =
+        std::max(result.slope, std::abs(a.beta - other.state_at(e, t).beta));
+    return Off{a.beta - b.beta, a.w - b.w};
+  };
+  const Off first = off(0.0), last = off(1.0);
   for (const double share : {0.1, 0.3, 0.5, 0.7, 0.9}) {
-    most =
-        std::max(most, std::abs(off(share) - first - share * (last - first)));
+    const Off here = off(share);
+    for (const auto quantity : {&Off::slope, &Off::w}) {
+      result.made_here =
+          std::max(result.made_here,
+                   std::abs(here.*quantity -
+                            std::lerp(first.*quantity, last.*quantity, share)));
+    }
   }
-  return most;
+  return result;
 }
 
 }  // namespace
@@ -50,6 +68,18 @@ bool divide(const LimitedCurve& curve, const LimitedCurve& finer,
   // Times of elements change with the path to first order, their sum does not.
   const bool errs_in_time =
       2.0 * std::abs(curve.transit_time() - finer.transit_time()) > allowed;
+  std::vector<double> made;
+  double most_made = 0.0, most_turned = 0.0;
+  for (int e = 0; e < curve.problem().mesh().num_elements(); ++e) {
+    const Difference here = difference(e, curve, finer);
+    made.push_back(here.made_here);
+    most_made = std::max(most_made, here.made_here);
+    most_turned = std::max(most_turned, here.slope);
+  }
+  // What is off may have been carried along from elsewhere, and have grown; so
+  // all of it is put down to where it is made.
+  const double turns =
+      most_made > 0.0 ? most_turned / allowed_turn(tolerance) / most_made : 0.0;
   int e = 0;
   bool any = false;
   for (Arc& arc : arcs) {
@@ -59,10 +89,10 @@ bool divide(const LimitedCurve& curve, const LimitedCurve& finer,
       const double error =
           errs_in_time ? std::abs(curve.time_on(e) - finer.time_on(e)) : 0.0;
       const double excess = std::max(0.0, curve.excess_on(e, where).value);
-      const double turn = turn_on(e, curve, finer) / allowed_turn(tolerance);
+      const double turn = turns * made[at(e)];
       const double too_long =
           std::max(std::pow(error / target, 1.0 / (2.0 * p)),
-                   std::pow(std::max(excess / kExcess, turn), 1.0 / p));
+                   std::pow(std::max(excess / kAllowedExcess, turn), 1.0 / p));
       const int n = too_long <= 1.0 ? 1
                                     : static_cast<int>(std::ceil(
                                           std::min(kSafety * too_long, kMost)));
@@ -76,19 +106,19 @@ bool divide(const LimitedCurve& curve, const LimitedCurve& finer,
   return any;
 }
 
-bool keeps_limits(const LimitedCurve& curve) {
-  double where = 0.0;
+double largest_excess(const LimitedCurve& curve) {
+  double largest = 0.0, where = 0.0;
   for (int e = 0; e < curve.problem().mesh().num_elements(); ++e) {
-    if (!(curve.excess_on(e, where).value <= kExcess)) return false;
+    largest = larger(largest, curve.excess_on(e, where).value);
   }
-  return true;
+  return largest;
 }
 
 bool slopes_agree(const LimitedCurve& curve, const LimitedCurve& finer,
                   double tolerance) {
   const double allowed = allowed_turn(tolerance);
   for (int e = 0; e < curve.problem().mesh().num_elements(); ++e) {
-    if (!(turn_on(e, curve, finer) <= allowed)) return false;
+    if (!(difference(e, curve, finer).slope <= allowed)) return false;
   }
   return true;
 }

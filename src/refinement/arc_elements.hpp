@@ -14,18 +14,20 @@
 namespace brachisto {
 
 /// Elements are divided that err too much in T, which falls with their length
-/// h like h^(2p) at least, or in their slopes, or exceed a limit between their
-/// points, which both fall like h^p. Whether any was.
+/// h like h^(2p) at least, or exceed a limit between their points or make
+/// slopes err, there or elsewhere, which both fall like h^p. Whether any was.
 ///
 /// \param finer      on the same elements, by a higher degree
 /// \param tolerance  relative, of T
 bool divide(const LimitedCurve& curve, const LimitedCurve& finer,
             double tolerance, std::vector<Arc>& arcs);
 
-/// Whether no limit is exceeded, between the points neither.
-[[nodiscard]] bool keeps_limits(const LimitedCurve& curve);
+/// Allowed between points, well below what a certificate allows.
+inline constexpr double kAllowedExcess = 1e-9;
+/// By how much limits are exceeded at most, between the points too.
+[[nodiscard]] double largest_excess(const LimitedCurve& curve);
 
-/// Whether no element would be divided for its slopes.
+/// Whether both have the same slopes all along, as far as is asked for.
 [[nodiscard]] bool slopes_agree(const LimitedCurve& curve,
                                 const LimitedCurve& finer, double tolerance);
 

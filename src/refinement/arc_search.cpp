@@ -53,7 +53,8 @@ void ArcSearch::note(const char* what, const PathSetting& setting) {
       fmt::format("{}: {}\n", what, in_words(setting.arcs, setting.limits));
 }
 
-FittedPath ArcSearch::without_slivers(FittedPath path, int degree) {
+FittedPath ArcSearch::without_slivers(FittedPath path, int degree,
+                                      double exceeded) {
   // The inertia was seen to be off by one with arcs of 1e-6 to 2e-6. A greater
   // number costs fits, not accuracy: the path without has to keep all limits.
   constexpr double kSliver = 1e-5;
@@ -71,7 +72,8 @@ FittedPath ArcSearch::without_slivers(FittedPath path, int degree) {
     const std::string message = protocol_.message;
     const int elements = protocol_.record.elements;
     ArcFit less = fit(path.curve, std::move(setting), degree);
-    if (less.path && !corrected(less.path->curve, less.path->arcs)) {
+    if (less.path && !corrected(less.path->curve, less.path->arcs,
+                                Takeover::LedBack, exceeded)) {
       path = *std::move(less.path);
     } else {
       protocol_.fail(status, message);  // as it was
@@ -84,7 +86,8 @@ FittedPath ArcSearch::without_slivers(FittedPath path, int degree) {
 
 std::optional<FittedPath> ArcSearch::fit_corrected(LimitedCurve nearby,
                                                    PathSetting setting,
-                                                   int degree, bool graded) {
+                                                   int degree, double exceeded,
+                                                   bool graded) {
   constexpr int kMostCorrections = 12, kFewest = 12;
   Takeover takeover = Takeover::LedBack;
   std::vector<std::vector<Arc>> tried, found_before;
@@ -106,8 +109,8 @@ std::optional<FittedPath> ArcSearch::fit_corrected(LimitedCurve nearby,
     }
     std::optional<ArcsFromA> other;
     if (fitted) {
-      other = corrected(last->curve, last->arcs, takeover);
-      if (!other) return without_slivers(*std::move(last), degree);
+      other = corrected(last->curve, last->arcs, takeover, exceeded);
+      if (!other) return without_slivers(*std::move(last), degree, exceeded);
     }
     if (protocol_.worked_enough()) {
       protocol_.fail(Status::NotConverged,
@@ -121,7 +124,7 @@ std::optional<FittedPath> ArcSearch::fit_corrected(LimitedCurve nearby,
       if (!last || takeover == Takeover::ForGood) break;
       takeover = Takeover::ForGood;
       found_before.clear();
-      other = corrected(last->curve, last->arcs, takeover);
+      other = corrected(last->curve, last->arcs, takeover, exceeded);
       if (!other || alike(other->arcs, tried.back())) break;
     }
     tried.push_back(other->arcs);

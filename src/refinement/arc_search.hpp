@@ -30,16 +30,17 @@ class ArcSearch {
   /// good. If the first one fails, or comes again and again, the second one is
   /// tried.
   ///
-  /// \param graded  on more elements, shorter next to junctions
-  [[nodiscard]] std::optional<FittedPath> fit_corrected(LimitedCurve nearby,
-                                                        PathSetting setting,
-                                                        int degree,
-                                                        bool graded = false);
+  /// \param exceeded  see corrected()
+  /// \param graded    on more elements, shorter next to junctions
+  [[nodiscard]] std::optional<FittedPath> fit_corrected(
+      LimitedCurve nearby, PathSetting setting, int degree,
+      double exceeded = kExceeded, bool graded = false);
 
  private:
   /// The path without arcs so short that their equations are within rounding
   /// of each other, where it keeps all limits without them too.
-  [[nodiscard]] FittedPath without_slivers(FittedPath path, int degree);
+  [[nodiscard]] FittedPath without_slivers(FittedPath path, int degree,
+                                           double exceeded);
   void note(const char* what, const PathSetting& setting);
 
   PassProtocol& protocol_;

@@ -90,9 +90,15 @@ enum class Takeover {
 /// limit is exceeded it is held, where a multiplier has the wrong sign it is
 /// not. If another limit holds the control already, and cannot give way, the
 /// path touches the one that is exceeded where it is so most.
-[[nodiscard]] std::optional<ArcsFromA> corrected(
-    const LimitedCurve& curve, const std::vector<Arc>& arcs,
-    Takeover takeover = Takeover::LedBack);
+///
+/// \param exceeded  by more than this
+[[nodiscard]] std::optional<ArcsFromA> corrected(const LimitedCurve& curve,
+                                                 const std::vector<Arc>& arcs,
+                                                 Takeover takeover,
+                                                 double exceeded);
+/// What polynomials on elements that have not been divided yet may exceed
+/// limits by.
+inline constexpr double kExceeded = 1e-7;
 
 /// The constraints that stand for what is touched, arc by arc.
 [[nodiscard]] std::vector<int> touched_rows(const std::vector<Arc>& arcs,

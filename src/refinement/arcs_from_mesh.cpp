@@ -25,8 +25,9 @@ std::optional<FittedPath> arcs_from(const LimitedCurve& mesh, int degree,
   LimitedEnds ends = mesh.problem().ends();
   ends.corner = from_A.corner;
   for (const bool graded : {false, true}) {
-    auto path = search.fit_corrected(
-        mesh, {mesh.problem().limits(), from_A.arcs, ends}, degree, graded);
+    auto path =
+        search.fit_corrected(mesh, {mesh.problem().limits(), from_A.arcs, ends},
+                             degree, kExceeded, graded);
     if (path || protocol.stopped()) return path;
   }
   return std::nullopt;

@@ -72,7 +72,7 @@ void ChainLdlt::dense_link(const Run& run, int link) {
     link_front_.at(i, j) += value;
     if (i != j) link_front_.at(j, i) += value;
   }
-  fronts_.eliminate(link_front_, {0.1, zero_, false});
+  fronts_.eliminate(link_front_, {zero_, false});
   rejects_ = link_front_.candidates;
 }
 
@@ -150,7 +150,7 @@ void ChainLdlt::separator(const Section& section, const Piece& piece) {
       }
     }
   }
-  FrontStack::Rule rule{0.1, zero_, false};
+  FrontStack::Rule rule{zero_, false};
   fronts_.eliminate(front_, rule);
   while (front_.candidates > kManyDelays) {
     rule.threshold *= 1e-2;
@@ -180,7 +180,7 @@ void ChainLdlt::last_front() {
     if (i != j) carried_.at(j, i) += value;
   }
   carried_.candidates = carried_.size();
-  fronts_.eliminate(carried_, {0.1, zero_, true});
+  fronts_.eliminate(carried_, {zero_, true});
   if (carried_.candidates > 0) overflow_ = true;
 }
 

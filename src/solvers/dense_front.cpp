@@ -63,9 +63,12 @@ void FrontStack::clear() {
   updates_ = 0.0;
 }
 
-/// Moves an acceptable pivot to k (and k + 1).
+/// Moves an acceptable pivot to k (and k + 1). Candidates are looked through
+/// from next_ on, around: those before it were no pivots when they were last
+/// looked at, and mostly are none yet.
 bool FrontStack::choose(Front& front, int k, const Rule& rule, Width& width) {
   const auto take = [&](int row, int partner) {
+    next_ = row + 1;
     exchange(front, k, row);
     if (partner >= 0) exchange(front, k + 1, partner == k ? row : partner);
     width = partner < 0 ? Width::Single : Width::Pair;
@@ -76,7 +79,9 @@ bool FrontStack::choose(Front& front, int k, const Rule& rule, Width& width) {
   double best = 0.0;
   int best_row = -1;
   int best_partner = kAlone;
-  for (int j = k; j < front.candidates; ++j) {
+  for (int tried = k; tried < front.candidates; ++tried, ++next_) {
+    if (next_ < k || next_ >= front.candidates) next_ = k;
+    const int j = next_;
     const ColumnMax max = column_max(front, j, k, -1);
     const double diagonal = std::abs(front.at(j, j));
     if (diagonal <= rule.zero && max.value <= rule.zero) {
@@ -183,6 +188,7 @@ void FrontStack::eliminate(Front& front, const Rule& rule) {
   record.rows = rows_.size();
   record.size = n;
   Width width = Width::Single;
+  next_ = 0;
   int k = 0;
   while (k < front.candidates && choose(front, k, rule, width)) {
     step(front, k, width);

@@ -36,14 +36,15 @@ class FrontStack {
 
   /// How to choose pivots.
   struct Rule {
-    /// A pivot d is taken if its multipliers, those of 2×2 pivots likewise, are
-    /// at most 1/threshold (Duff and Reid).
-    double threshold = 0.1;
     /// A candidate whose column is no larger is a null vector.
     double zero = 0.0;
     /// Whether to take the best pivot there is where none keeps to the
     /// threshold; else the candidates left are for a later front.
     bool complete = false;
+    /// A pivot d is taken if its multipliers, those of 2×2 pivots likewise, are
+    /// at most 1/threshold (Duff and Reid). With 0.1 a quarter more candidates
+    /// are left for later fronts.
+    double threshold = 0.01;
   };
 
   void clear();
@@ -82,6 +83,7 @@ class FrontStack {
   Arena<double> values_;
   std::vector<double> local_l_, local_m_;
   mutable std::vector<double> local_;
+  int next_ = 0;  ///< candidate to look at
   int negative_ = 0, zero_ = 0;
   double updates_ = 0.0;
 };

@@ -98,8 +98,8 @@ void add_least_slacks(const std::vector<StatedLimit>& asked,
 std::vector<LimitOnPath> limits_on_path(const PosedProblem& posed,
                                         const FittedPath& path,
                                         const LimitedMotion& motion) {
-  // Half of what a bound is moved by, in natural units.
-  constexpr double kStep = 1e-5;
+  // Half of what a bound is moved by, in natural units; of small ones a part.
+  constexpr double kStep = 1e-5, kPart = 0.1;
   const Scene& natural = *posed.limited;
   // τ = T √(2 g/H), times in natural units being those of 2 g = 1.
   const double tau = 1.0 / std::sqrt(natural.H);
@@ -124,11 +124,13 @@ std::vector<LimitOnPath> limits_on_path(const PosedProblem& posed,
   for (std::size_t i = 0; i < asked.size() && rates.regular(); ++i) {
     // One that holds nowhere may still decide the direction at A.
     PathLimits less = natural.limits, more = natural.limits;
-    scaled[i].move(less, -kStep);
-    scaled[i].move(more, kStep);
+    const double bound = scaled[i].bound.value_or(0.0);
+    const double step = bound > 0.0 ? std::min(kStep, kPart * bound) : kStep;
+    scaled[i].move(less, -step);
+    scaled[i].move(more, step);
     const TimeRate price =
         rates.price(inequalities(natural.body, less),
-                    inequalities(natural.body, more), 2.0 * kStep);
+                    inequalities(natural.body, more), 2.0 * step);
     const double scale = tau * asked[i].natural;
     if (std::isfinite(price.total) && std::isfinite(price.at_fixed_contacts)) {
       out[i].price = price.total * scale;

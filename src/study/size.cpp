@@ -61,18 +61,25 @@ Cost of_fixed_mesh(double nodes, const Collocation& program, bool limited) {
           std::min(3.7e-5 * n, 0.2 + 1.4e-5 * n)};
 }
 
-/// Nodes a turn at most, which grow with the arcs and the corrections of what
-/// is held along them: bounds of the place bend the path more gently than those
-/// of the control.
+/// Nodes a turn, about, under limits: they grow with the arcs and the
+/// corrections of what is held along them. Bounds of the place bend the path
+/// more gently than those of the control, and so does friction that holds where
+/// it is steepest alone, at slopes of 35 deg and more.
 double nodes_per_turn(const Scene& limited) {
-  const auto of_control = std::ranges::count_if(
-      inequalities(limited.body, limited.limits),
-      [](const PathInequality& limit) {
-        // Friction is two.
-        return limit.bounds_control() &&
-               limit.kind != PathInequality::Kind::FrictionBackward;
-      });
-  return of_control == 0 ? 200.0 : of_control == 1 ? 265.0 : 365.0;
+  constexpr double kSteep = 0.7;
+  const auto of_control =
+      std::ranges::count_if(inequalities(limited.body, limited.limits),
+                            [](const PathInequality& limit) {
+                              switch (limit.kind) {
+                                case PathInequality::Kind::FrictionForward:
+                                  return limit.number < kSteep;
+                                case PathInequality::Kind::FrictionBackward:
+                                  return false;  // one limit of both signs
+                                default:
+                                  return limit.bounds_control();
+                              }
+                            });
+  return 200.0 + 70.0 * static_cast<double>(of_control);
 }
 
 /// The way of a branch turn by turn, and the mesh that it ends on.

@@ -90,6 +90,15 @@ std::string Solution::advice() const {
         "it be smooth",
         turn->where, scene.world.air.any() ? " or less air" : "");
   }
+  // Slopes along so short an arc differ by rounding from those without it.
+  constexpr double kTouches = 1e-6;
+  const Check* limits = certificate.find("limits");
+  if (limits != nullptr && !limits->passed && limits->value <= kTouches) {
+    return fmt::format(
+        "a bound that is {:g} larger or smaller: the path touches that of {}, "
+        "along less than can be resolved",
+        kTouches, limits->where);
+  }
   const Check* second_order = certificate.find("second_order");
   if (second_order == nullptr || !(second_order->value > 0.0)) {
     // Next to what no path keeps, multipliers grow and lose their digits.

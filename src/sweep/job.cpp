@@ -15,7 +15,6 @@
 #include <optional>
 #include <utility>
 
-#include "brachisto/report/result.hpp"
 #include "io/consistency.hpp"
 #include "io/effective_input.hpp"
 #include "io/input_tree.hpp"
@@ -25,11 +24,6 @@ namespace brachisto::sweep {
 namespace {
 
 using nlohmann::json;
-
-std::string effective_input(const io::SweepFile& file, std::size_t scene) {
-  const io::ProblemFile problem = file.problem(scene);
-  return report::input_json(problem.scene, problem.options);
-}
 
 /// The section `design`, which all scenes share.
 std::string design_of(const io::SweepFile& file) {
@@ -198,7 +192,8 @@ std::string input_hash(const io::SweepFile& file) {
   if (file.keeps_tracks()) add("tracks\n");
   if (!file.problem(0).design.empty()) add(design_of(file));
   for (std::size_t scene = 0; scene < file.num_scenes(); ++scene) {
-    add(effective_input(file, scene));
+    const io::ProblemFile problem = file.problem(scene);
+    add(io::effective_lines(problem.scene, problem.options));
   }
   const XXH128_hash_t hash = XXH3_128bits_digest(state.get());
   return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
@@ -222,8 +217,11 @@ std::string difference(const io::SweepFile& stored,
     return points;
   }
   for (std::size_t scene = 0; scene < stored.num_scenes(); ++scene) {
-    const json was = json::parse(effective_input(stored, scene)).flatten();
-    const json is = json::parse(effective_input(wanted, scene)).flatten();
+    const auto input = [&](const io::SweepFile& file) {
+      const io::ProblemFile problem = file.problem(scene);
+      return io::effective_input(problem.scene, problem.options).flatten();
+    };
+    const auto was = input(stored), is = input(wanted);
     if (was == is) continue;
     for (const auto& [pointer, value] : is.items()) {
       if (was.contains(pointer) && was[pointer] == value) continue;

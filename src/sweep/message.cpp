@@ -98,26 +98,37 @@ std::string to_line(const Answer& answer) {
 }
 
 std::optional<Answer> answer_from_line(std::string_view line) {
-  const std::optional<Json> read = parse_bounded_json(line);
-  if (!read) return std::nullopt;
-  const Json& json = *read;
-  const auto is = [&](const char* key, auto&& test) {
-    return json.contains(key) && test(json[key]);
+  // As to_line() has them, so that the result need not be written anew. In a
+  // text of JSON quotation marks are escaped: the last key is the state's.
+  constexpr std::string_view kScene = R"({"scene":)", kResult = R"(,"result":)",
+                             kState = R"(,"state":)";
+  const std::size_t result = line.find(kResult), state = line.rfind(kState);
+  if (!line.starts_with(kScene) || !line.ends_with('}') ||
+      state == std::string_view::npos || result > state) {
+    return std::nullopt;
+  }
+  const auto between = [&](std::size_t begin, std::size_t end) {
+    return line.substr(begin, end - begin);
   };
-  const bool good =
-      json.is_object() &&
-      is("scene", [](const Json& j) { return j.is_number_unsigned(); }) &&
-      is("state", [](const Json& j) { return j.is_string(); }) &&
-      is("result", [](const Json& j) { return j.is_object(); });
-  if (!good) return std::nullopt;
-  std::optional<SweepOutcome> outcome = find_outcome(json["result"]);
+  const std::string_view text = between(result + kResult.size(), state);
+  if (text.size() > kLongestOutcome) return std::nullopt;
+  const auto first = parse_bounded_json(between(kScene.size(), result));
+  const auto second = parse_bounded_json(text);
+  const auto third =
+      parse_bounded_json(between(state + kState.size(), line.size() - 1));
+  if (!first || !first->is_number_unsigned() || !second || !third ||
+      !third->is_string()) {
+    return std::nullopt;
+  }
+  std::optional<SweepOutcome> outcome = find_outcome(*second);
   if (!outcome) return std::nullopt;
-  Answer answer{json["scene"], json["result"].dump(), json["state"],
+  Answer answer{*first, std::string(text), third->get<std::string>(),
                 *std::move(outcome)};
   // Whatever is stored can be read again.
-  const bool readable = answer.result.size() <= kLongestOutcome &&
-                        (answer.state->empty() || Json::accept(*answer.state));
-  return readable ? std::optional(std::move(answer)) : std::nullopt;
+  if (!answer.state->empty() && !Json::accept(*answer.state)) {
+    return std::nullopt;
+  }
+  return answer;
 }
 
 std::string to_state(const Neighbour& neighbour) {

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -86,15 +87,30 @@ std::vector<std::string> undecided_because(const Scene& scene,
         fmt::format("{} = {:.2g}{} {}, and the error of this mesh is {:.1g}{}",
                     what, least.value, unit, place(least), error, unit));
   };
-  if (std::isinf(path.normal_force_error)) {
+  // Where arcs are known limits are kept between points as well as at them.
+  const auto between = [&](const char* what, const Extreme& least, double bound,
+                           const char* unit) {
+    constexpr double kKept = 1e-6;  // a hundred times a certificate's threshold
+    if (least.value >= bound - kKept) return;
+    reasons.push_back(fmt::format(
+        "{} = {:.2g}{} {}, between points of this mesh, at which it keeps {}{}",
+        what, least.value, unit, place(least), bound, unit));
+  };
+  const PathLimits& limits = scene.limits;
+  if (forbid_lift_off(limits)) {
+    between("R_n", path.min_normal_force,
+            std::max(0.0, limits.normal_min.value_or(0.0)), " m g");
+  } else if (std::isinf(path.normal_force_error)) {
     return {"this mesh does not tell whether R_n rises at the start"};
-  }
-  if (!forbid_lift_off(scene.limits)) {
+  } else {
     ask("least R_n after its first rise", path.normal_force_after_rise,
         path.normal_force_error, " m g");
   }
-  if (scene.limits.fold_margin) return reasons;
-  ask("least 1 − r κ_c", path.min_fold_margin, path.fold_margin_error, "");
+  if (limits.fold_margin) {
+    between("1 − r κ_c", path.min_fold_margin, *limits.fold_margin, "");
+  } else {
+    ask("least 1 − r κ_c", path.min_fold_margin, path.fold_margin_error, "");
+  }
   return reasons;
 }
 

@@ -31,7 +31,8 @@ namespace brachisto {
 
 /// What a finer mesh has to decide: R_n after its first rise or 1 − r κ_c,
 /// where either is nearer to zero than its error on this one, on whichever
-/// side.
+/// side; under limits on them what is beyond these between the points of a mesh
+/// that knows no arcs.
 [[nodiscard]] std::vector<std::string> undecided_because(
     const Scene& scene, const PathDiagnostics& path);
 

@@ -62,9 +62,8 @@ TEST_P(ForecastOfACommand, IsWhatItTakes) {
   ASSERT_TRUE(result["verified"].get<bool>()) << result["message"];
   EXPECT_EQ(result["forecast"]["nodes"], size["nodes"]);
   EXPECT_EQ(result["forecast"]["memory_bytes"], size["memory_bytes"]);
-  // An upper bound of both tracks under friction, which differ by 2.03.
   EXPECT_GE(size["nodes"], result["nodes"]);
-  EXPECT_LE(size["nodes"], 2.1 * result["nodes"].get<double>());
+  EXPECT_LE(size["nodes"], 2.0 * result["nodes"].get<double>());
   const double memory = size["memory_bytes"];
   EXPECT_GT(memory, 0.5 * solved.peak_memory);
   EXPECT_LT(memory, 2.0 * solved.peak_memory);

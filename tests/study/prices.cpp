@@ -269,7 +269,7 @@ INSTANTIATE_TEST_SUITE_P(Bounds, OptimalPrice,
                          ::testing::ValuesIn(optimal_bounds()),
                          [](const auto& row) { return row.param.test; });
 
-/// Nor does it decide the direction at A.
+/// No path next to it holds it either.
 TEST(PriceOfASlackLimit, IsZero) {
   PathLimits limits = least_force(0.1);
   limits.floor = 2.0;
@@ -281,23 +281,27 @@ TEST(PriceOfASlackLimit, IsZero) {
   EXPECT_EQ(floor.price_at_fixed_contacts, 0.0);
 }
 
+class PriceAtRest : public ::testing::TestWithParam<double> {};
+
 /// A bound too small for an arc decides the direction at A all the same. A step
-/// of a hundredth of the bound leaves a ten-thousandth of the difference.
-TEST(PriceAtRest, IsTheSlopeOfTheTimeOfWholeSolves) {
-  constexpr double kBound = 3e-5, kStep = 3e-7;
-  const auto solved = [](double bound) {
-    return solve(under(off_centred_scene(), least_force(bound)));
+/// of a hundredth of the bound leaves a ten-thousandth of the difference, and
+/// rounding of T, some 1e-14, no more of that at the smallest.
+TEST_P(PriceAtRest, IsTheSlopeOfTheTimeOfWholeSolves) {
+  const double bound = GetParam(), step = 0.01 * bound;
+  const auto solved = [](double least) {
+    return solve(under(off_centred_scene(), least_force(least)));
   };
-  const Solution solution = solved(kBound);
+  const Solution solution = solved(bound);
   ASSERT_TRUE(solution.verified()) << solution.message;
   const LimitOnPath limit = limit_named(solution, "normal_force.min");
   EXPECT_TRUE(limit.active.empty());
-  const double slope = (solved(kBound + kStep).motion()->tau() -
-                        solved(kBound - kStep).motion()->tau()) /
-                       (2.0 * kStep);
+  const double slope = (solved(bound + step).motion()->tau() -
+                        solved(bound - step).motion()->tau()) /
+                       (2.0 * step);
   EXPECT_LT(slope, -0.1);
   EXPECT_NEAR(*limit.price, slope, 1e-3 * std::abs(slope));
 }
+INSTANTIATE_TEST_SUITE_P(Bounds, PriceAtRest, ::testing::Values(3e-5, 1e-6));
 
 /// dτ by metre falls with the metre, dτ by its inverse grows.
 TEST(PriceUnits, AreThoseOfTheBound) {

@@ -53,11 +53,11 @@ INSTANTIATE_TEST_SUITE_P(
                       Measured{"large/million_pieces", 1000001, 0.99e9, 2.49},
                       Measured{"large/L_200", 3247, 105e6, 52.0},
                       Measured{"limits/bead_with_floor", 85, 17.7e6, 0.026},
-                      Measured{"limits/coaster", 505, 22.4e6, 0.184},
+                      Measured{"limits/coaster", 519, 22.4e6, 0.184},
                       Measured{"limits/friction_0.3", 372, 20.9e6, 0.087},
-                      Measured{"limits/friction_1", 183, 19.9e6, 0.050},
+                      Measured{"limits/friction_1", 176, 19.9e6, 0.050},
                       Measured{"limits/marble_run", 85, 17.6e6, 0.033},
-                      Measured{"limits/table_in_the_way", 162, 21.2e6, 0.082}));
+                      Measured{"limits/table_in_the_way", 155, 21.2e6, 0.082}));
 
 TEST_P(ForecastOfAFile, IsGoodToAFactorOfTwo) {
   const Measured& measured = GetParam();
@@ -71,8 +71,7 @@ TEST_P(ForecastOfAFile, IsGoodToAFactorOfTwo) {
     EXPECT_GT(value, there / 2.0);
     EXPECT_LT(value, there * 2.0);
   };
-  // An upper bound of both tracks under friction, which differ by 2.03.
-  EXPECT_LT(found->nodes, 2.1 * measured.nodes);
+  expect_near(found->nodes, measured.nodes);
   expect_near(found->bytes, measured.bytes);
   // On the machine that was measured on.
   expect_near(found->seconds * machine_speed(), measured.seconds);

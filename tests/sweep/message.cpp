@@ -3,6 +3,7 @@
 
 #include "sweep/message.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,6 +12,7 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "brachisto/report/result.hpp"
@@ -135,21 +137,53 @@ TEST(Answer, SurvivesALine) {
   EXPECT_EQ(read->outcome.tau, solved().motion()->tau());
 }
 
+/// Laid out like those of to_line().
+std::string answer_line(std::string_view scene, std::string_view result,
+                        std::string_view state) {
+  return fmt::format(R"({{"scene":{},"result":{},"state":{}}})", scene, result,
+                     state);
+}
+
+constexpr std::string_view kResult =
+    R"({"status":"x","message":"","verified":false})";
+
+TEST(Answer, IsReadFromTheLeastOne) {
+  EXPECT_TRUE(answer_from_line(answer_line("1", kResult, R"("")")));
+  const auto nested = answer_from_line(answer_line(
+      "1",
+      R"({"status":"x","message":",\"state\":","verified":false,"state":[0]})",
+      R"("{\"a\":0,\"state\":\"\"}")"));
+  ASSERT_TRUE(nested);
+  EXPECT_EQ(nested->outcome.message, ",\"state\":");
+  EXPECT_EQ(nested->state, R"({"a":0,"state":""})");
+}
+
 TEST(Answer, IsNotReadFromAnythingElse) {
   const std::string whole = to_line(Answer{7, outcome_json(solved()), ""});
+  const std::string least = answer_line("1", kResult, R"("")");
   for (const std::string& line :
-       {std::string(""), std::string("rubbish"), std::string("{}"),
-        std::string("[1, 2]"), std::string("7"), std::string("\xff\xfe"),
-        std::string(R"({"scene": -1, "result": {}, "state": ""})"),
-        std::string(R"({"scene": 1, "result": 3, "state": ""})"),
-        std::string(R"({"scene": 1, "result": {"status": "solved"}})"),
-        std::string(
-            R"({"scene": 1, "state": "", "result":)"
-            R"({"status": "solved", "message": "", "verified": true}})"),
-        std::string(R"({"scene": 1, "state": "", "result":)"
-                    R"({"status": 1, "message": "", "verified": "yes"}})"),
-        std::string(R"({"scene": 1, "state": "rubbish", "result":)"
-                    R"({"status": "x", "message": "", "verified": false}})"),
+       {std::string(""),
+        std::string("rubbish"),
+        std::string("{}"),
+        std::string("[1, 2]"),
+        std::string("7"),
+        std::string("\xff\xfe"),
+        answer_line("-1", kResult, R"("")"),
+        answer_line("", kResult, R"("")"),
+        answer_line("1", "3", R"("")"),
+        answer_line("1", "", R"("")"),
+        answer_line("1", kResult, "0"),
+        answer_line("1", kResult, ""),
+        answer_line("1", R"({"status":"x","message":"","verified":true})",
+                    R"("")"),
+        answer_line("1", R"({"status":1,"message":"","verified":"yes"})",
+                    R"("")"),
+        answer_line("1", kResult, R"("rubbish")"),
+        answer_line("1", std::string(kResult) + "}", R"("")"),
+        std::string(R"({"scene":1,"result":{"status":"solved"}})"),
+        std::string(R"({"scene":1,"state":"","result":{}})"),
+        least + "}",
+        least.substr(0, least.size() - 1),
         whole.substr(0, whole.size() / 2)}) {
     EXPECT_FALSE(answer_from_line(line)) << line;
   }
@@ -164,24 +198,23 @@ TEST(Answer, IsNotReadFromWhatNestsWithoutEnd) {
     for (int i = 0; i < 300'000; ++i) deep += close;
     EXPECT_FALSE(answer_from_line(deep));
     EXPECT_FALSE(answer_from_line(half));
-    EXPECT_FALSE(answer_from_line(
-        R"({"scene":1,"state":"","result":{"status":"","message":"",)"
-        R"("verified":false,"a":)" +
-        deep + "}}"));
-    EXPECT_FALSE(answer_from_line(R"({"scene":1,"state":)" + deep + "}"));
+    EXPECT_FALSE(answer_from_line(answer_line(
+        "1", R"({"status":"","message":"","verified":false,"a":)" + deep + "}",
+        R"("")")));
+    EXPECT_FALSE(answer_from_line(answer_line("1", kResult, deep)));
+    EXPECT_FALSE(answer_from_line(answer_line(deep, kResult, R"("")")));
   }
 }
 
 TEST(Answer, IsNotReadFromMoreThanAnyResultHas) {
-  std::string wide =
-      R"({"scene":1,"state":"","result":{"status":"","message":"",)"
-      R"("verified":false)";
+  std::string wide = R"({"status":"","message":"","verified":false)";
   for (int i = 0; i < 300'000; ++i) wide += ",\"" + std::to_string(i) + "\":0";
-  EXPECT_FALSE(answer_from_line(wide + "}}"));
+  EXPECT_FALSE(answer_from_line(answer_line("1", wide + "}", R"("")")));
   EXPECT_FALSE(answer_from_line(
-      R"({"scene":1,"state":"","result":{"status":"","verified":false,)"
-      R"("message":")" +
-      std::string(2'000'000, 'm') + "\"}}"));
+      answer_line("1",
+                  R"({"status":"","verified":false,"message":")" +
+                      std::string(2'000'000, 'm') + "\"}",
+                  R"("")")));
 }
 
 TEST(Outcome, TellsWhatTheSolutionTold) {

@@ -149,6 +149,31 @@ TEST(Feasibility, NamesTheLimitThatForbidsLiftOff) {
   EXPECT_EQ(free[0].find(kRemedy), std::string::npos);
 }
 
+// Limits of a path that knows no arcs hold at points; what is between them may
+// contradict the limit, and no verdict is to hide it.
+TEST(Feasibility, TellsWhatIsBeyondALimitBetweenPoints) {
+  Scene scene = with_all_limits();
+  scene.limits = {};
+  scene.limits.normal_min = 0.2;
+  scene.limits.fold_margin = 0.1;
+  PathDiagnostics path;
+  path.min_normal_force = {0.2 - 1e-7, 1.25};
+  path.min_fold_margin = {0.1, 0.0};
+  EXPECT_TRUE(undecided_because(scene, path).empty());
+
+  path.min_normal_force.value = 0.2 - 7e-5;
+  path.min_fold_margin.value = -7e5;
+  EXPECT_TRUE(infeasible_because(scene, path).empty());
+  EXPECT_EQ(undecided_because(scene, path).size(), 2U);
+
+  scene.limits = {};
+  scene.limits.friction = 0.4;
+  path = {};
+  path.min_fold_margin = {1.0, 0.0};
+  path.min_normal_force = {-7e-5, 1.25};
+  EXPECT_EQ(undecided_because(scene, path).size(), 1U);
+}
+
 // R_n = 0 along an arc is what its limit allows, and in floating point about as
 // often a little less.
 TEST(Feasibility, LeavesLiftOffToTheLimitThatForbidsIt) {

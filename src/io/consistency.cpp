@@ -106,8 +106,9 @@ void check_solver(const Check& check) {
       problem.program.search == Search::Global &&
       problem.scene.contact == Contact::Centre) {
     check.refuse("solver.search",
-                 "global is not allowed with contact: centre; between fixed "
-                 "ends of the centre's path there is no contact to search for");
+                 "global is not allowed with contact: centre; it looks for "
+                 "other contacts, and fixed ends of the centre's path leave "
+                 "none. Other minima, as beyond a disc, are not looked for");
   }
   if (check.sound_entry("solver.sensitivities") && problem.scene.path &&
       problem.program.sensitivities != SensitivityOrder::None) {

@@ -4,6 +4,7 @@
 #include "refinement/arc_accuracy.hpp"
 
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "refinement/arc_elements.hpp"
@@ -30,47 +31,61 @@ double change(const FittedPath& path, const FittedPath& other) {
   return std::abs(other.curve.transit_time() / path.curve.transit_time() - 1.0);
 }
 
-/// How closely limits are kept.
-struct Closeness {
-  double allowed = kAllowedExcess;  ///< to be exceeded by
-  bool stays = false;               ///< no arcs were found without
-};
+/// Leads paths back within limits that they exceed between points.
+class WithinLimits {
+ public:
+  explicit WithinLimits(ArcSearch& search) : search_(search) {}
 
-/// The path with less of it: on shorter elements, if polynomials exceed limits
-/// between the points, or with more arcs, if the path does, unless that is so
-/// little that these would be too short for their equations. Nothing if it was
-/// not found on shorter elements.
-std::optional<FittedPath> within_limits(FittedPath path, int p,
-                                        double tolerance, ArcSearch& search,
-                                        Closeness& closeness) {
-  constexpr int kMostMeshes = 7;
-  constexpr double kTooLittle = 5e-9;  // half of what a certificate allows
-  constexpr double kFalls = 0.25;      // of polynomials by far more
-  std::optional<double> before;
-  for (int i = 0; i < kMostMeshes && !closeness.stays; ++i) {
-    const double now = largest_excess(path.curve);
-    if (now <= closeness.allowed ||
-        path.curve.problem().mesh().num_elements() > kManyElements) {
-      break;
+  /// On shorter elements, if polynomials exceed limits, or with more arcs, if
+  /// the path does. Nothing if it was not found on shorter ones.
+  [[nodiscard]] std::optional<FittedPath> lead(FittedPath path, int degree) {
+    constexpr int kMostMeshes = 7;
+    std::optional<double> before;  // exceeded on longer elements
+    for (int i = 0; i < kMostMeshes && !ended_; ++i) {
+      const double now = largest_excess(path.curve);
+      if (now <= allowed_ || !std::isfinite(now) ||
+          path.curve.problem().mesh().num_elements() > kManyElements) {
+        break;
+      }
+      constexpr double kFalls = 0.25;  // that of polynomials falls by far more
+      const bool of_path = before && now > kFalls * *before;
+      std::vector<Arc> arcs = path.arcs;
+      if (of_path) {
+        allowed_ = exceeded_ = kAllowedOfPath;
+        if (now <= allowed_) break;
+      } else if (!divide_for_limits(path.curve, allowed_, arcs)) {
+        break;
+      }
+      before = now;
+      auto next = search_.fit_corrected(
+          path.curve,
+          {path.curve.problem().limits(), std::move(arcs), path.ends}, degree,
+          exceeded_);
+      ended_ = !next || (of_path && ++corrections_ == kMostCorrections);
+      if (!next && !of_path && now > kAllowedOfPath) return std::nullopt;
+      if (next) path = *std::move(next);
     }
-    const bool of_path = before && now > kFalls * *before;
-    if (of_path && now <= kTooLittle) {
-      closeness.allowed = kTooLittle;
-      break;
-    }
-    const std::vector<PathInequality> limits = path.curve.problem().limits();
-    std::vector<Arc> arcs = path.arcs;
-    if (!of_path) divide(path.curve, path.curve, tolerance, arcs);
-    auto next =
-        search.fit_corrected(path.curve, {limits, std::move(arcs), path.ends},
-                             p, of_path ? kTooLittle : kExceeded);
-    if (!next && !of_path) return std::nullopt;
-    closeness.stays = of_path;
-    if (next) path = *std::move(next);
-    before = now;
+    return path;
   }
-  return path;
-}
+  /// As closely as was found.
+  [[nodiscard]] bool keeps(const FittedPath& path) const {
+    return ended_ || largest_excess(path.curve) <= allowed_;
+  }
+  /// What divisions may leave.
+  [[nodiscard]] double allowed() const {
+    return ended_ ? std::numeric_limits<double>::infinity() : allowed_;
+  }
+  /// From where on a limit is held by another arc.
+  [[nodiscard]] double exceeded() const { return exceeded_; }
+
+ private:
+  static constexpr int kMostCorrections = 2;
+
+  ArcSearch& search_;
+  double allowed_ = kAllowedExcess, exceeded_ = kExceeded;
+  int corrections_ = 0;
+  bool ended_ = false;
+};
 
 }  // namespace
 
@@ -90,7 +105,7 @@ std::optional<LimitedAnswer> on_fixed_mesh(const FittedPath& path, int p,
     judge = refine_arcs(path, coarse.degree, accurate, search, protocol);
     if (judge &&
         (*judge->estimated_error > *accurate.tolerance ||
-         !(largest_excess(judge->path.curve) <= kAllowedExcess) ||
+         !(largest_excess(judge->path.curve) <= kAllowedOfPath) ||
          judge->path.curve.problem().mesh().num_elements() >= elements)) {
       judge.reset();
     }
@@ -121,10 +136,10 @@ std::optional<LimitedAnswer> refine_arcs(std::optional<FittedPath> path, int p,
   const double tolerance = wanted.wanted_tolerance();
   std::optional<LimitedAnswer> answer;
   bool accurate = false;  // in time
-  Closeness closeness;
+  WithinLimits within(search);
   for (int i = 0; path && i < kMostMeshes; ++i) {
     if (!wanted.fixed() && i + 1 < kMostMeshes) {
-      path = within_limits(*std::move(path), p, tolerance, search, closeness);
+      path = within.lead(*std::move(path), p);
       if (!path) break;
     }
     const ArcFit finer =
@@ -133,8 +148,7 @@ std::optional<LimitedAnswer> refine_arcs(std::optional<FittedPath> path, int p,
     // The difference is T's error less that of the finer one, of either sign.
     const double error =
         2.0 * change(*path, *finer.path) + path->mismatch.largest() + kRounding;
-    const bool good =
-        error <= tolerance && largest_excess(path->curve) <= closeness.allowed;
+    const bool good = error <= tolerance && within.keeps(*path);
     if (accurate && !good) break;
     accurate = good;
     answer.emplace(told(*path, error, protocol));
@@ -144,9 +158,13 @@ std::optional<LimitedAnswer> refine_arcs(std::optional<FittedPath> path, int p,
       return answer;
     }
     std::vector<Arc> arcs = finer.path->arcs;
-    if (!divide(path->curve, finer.path->curve, 0.3 * tolerance, arcs)) break;
+    if (!divide(path->curve, finer.path->curve, 0.3 * tolerance,
+                within.allowed(), arcs)) {
+      break;
+    }
     path = search.fit_corrected(finer.path->curve,
-                                {limits, std::move(arcs), finer.path->ends}, p);
+                                {limits, std::move(arcs), finer.path->ends}, p,
+                                within.exceeded());
   }
   if (accurate) {  // only its slopes could be better
     protocol.status = Status::Solved;

@@ -168,17 +168,35 @@ class Correction {
       // What is touched has its multiplier at a point, and the polynomial of
       // the other one tells nothing there.
       const bool before_touch = arc.touch && e + 1 == end;
-      for (const double t : curve_.places(e, kPlaces)) {
+      for (const double t : places(e)) {
         // Junctions belong to two arcs. At rest multipliers say nothing, but
-        // limits may be exceeded for the first moment alone, and for the last.
+        // limits may be exceeded for the first moment alone.
         const bool at_rest = e == 0 && t == 0.0 && !turns_at_rest(arc);
-        const bool at_B =
-            t == 1.0 && e + 1 == curve_.problem().mesh().num_elements();
-        if ((t == 0.0 && !at_rest) || (t == 1.0 && !at_B)) continue;
-        look_at(arc, e, t, given_up, !before_touch && !at_rest && !at_B);
+        if ((t == 0.0 && !at_rest) || t == 1.0) continue;
+        look_at(arc, e, t, given_up, !before_touch && !at_rest);
+      }
+      // Or for the last.
+      constexpr double kJustBefore = 1.0 - 1e-9;
+      if (e + 1 == curve_.problem().mesh().num_elements()) {
+        look_at(arc, e, kJustBefore, given_up, !before_touch);
       }
     }
     if (arc.touch) keep_touch(arc, end);
+  }
+
+  /// Of those that are exceeded by little the worst as well, which may lie
+  /// between others.
+  [[nodiscard]] std::vector<double> places(int element) const {
+    std::vector<double> places = curve_.places(element, kPlaces);
+    double worst = 0.0;
+    if (exceeded_ < kExceeded &&
+        curve_.excess_on(element, worst).value > exceeded_) {
+      const Mesh& mesh = curve_.problem().mesh();
+      const double t =
+          (worst - mesh.sigma(element, 0.0)) / mesh.length(element);
+      places.insert(std::ranges::upper_bound(places, t), t);
+    }
+    return places;
   }
 
   /// Held by a limit of curvature: then q vanishes at rest, and what its
@@ -191,8 +209,8 @@ class Correction {
 
   [[nodiscard]] bool pulls_wrong(const Arc& arc, const LimitedPoint& place,
                                  std::size_t limit) const {
-    // Of the arc's largest, and what is rounding of costates, which are some 1:
-    // multipliers of arcs of 1e-4 are no more.
+    // Of the arc's largest, or what is rounding of costates, which are some 1:
+    // multipliers of arcs of 1e-4 are less.
     constexpr double kWrongSign = 1e-3, kRounding = 1e-12;
     const Held held = arc.held[limit];
     const double multiplier = place.multipliers[limit];

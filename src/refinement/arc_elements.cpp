@@ -57,20 +57,58 @@ Difference difference(int element, const LimitedCurve& one,
   return result;
 }
 
+/// Divides elements that are so many times too long. Whether any was.
+template <class TooLong>
+bool divide_where(std::vector<Arc>& arcs, const TooLong& too_long) {
+  constexpr double kMost = 4.0, kSafety = 1.1;
+  int e = 0;
+  bool any = false;
+  for (Arc& arc : arcs) {
+    std::vector<double> cuts{0.0};
+    for (std::size_t i = 0; i + 1 < arc.cuts.size(); ++i, ++e) {
+      const double by = too_long(e);
+      const int n =
+          by <= 1.0
+              ? 1
+              : static_cast<int>(std::ceil(std::min(kSafety * by, kMost)));
+      any = any || n > 1;
+      for (int k = 1; k <= n; ++k) {
+        cuts.push_back(arc.cuts[i] + (arc.cuts[i + 1] - arc.cuts[i]) * k / n);
+      }
+    }
+    arc.cuts = std::move(cuts);
+  }
+  return any;
+}
+
+/// How many times an element is too long to keep limits between its points.
+double for_limits(const LimitedCurve& curve, int element, double allowed) {
+  double where = 0.0;
+  const double excess =
+      std::max(0.0, curve.excess_on(element, where).value) / allowed;
+  return std::pow(excess, 1.0 / curve.problem().mesh().degree);
+}
+
 }  // namespace
 
+bool divide_for_limits(const LimitedCurve& curve, double allowed,
+                       std::vector<Arc>& arcs) {
+  return divide_where(arcs,
+                      [&](int e) { return for_limits(curve, e, allowed); });
+}
+
 bool divide(const LimitedCurve& curve, const LimitedCurve& finer,
-            double tolerance, std::vector<Arc>& arcs) {
-  constexpr double kMost = 4.0, kSafety = 1.1;
+            double tolerance, double allowed, std::vector<Arc>& arcs) {
   const double p = curve.problem().mesh().degree;
-  const double allowed = tolerance * finer.transit_time();
-  const double target = allowed / curve.problem().mesh().num_elements();
+  const int elements = curve.problem().mesh().num_elements();
+  const double all = tolerance * finer.transit_time();
+  const double target = all / elements;
   // Times of elements change with the path to first order, their sum does not.
   const bool errs_in_time =
-      2.0 * std::abs(curve.transit_time() - finer.transit_time()) > allowed;
+      2.0 * std::abs(curve.transit_time() - finer.transit_time()) > all;
   std::vector<double> made;
   double most_made = 0.0, most_turned = 0.0;
-  for (int e = 0; e < curve.problem().mesh().num_elements(); ++e) {
+  for (int e = 0; e < elements; ++e) {
     const Difference here = difference(e, curve, finer);
     made.push_back(here.made_here);
     most_made = std::max(most_made, here.made_here);
@@ -80,30 +118,13 @@ bool divide(const LimitedCurve& curve, const LimitedCurve& finer,
   // all of it is put down to where it is made.
   const double turns =
       most_made > 0.0 ? most_turned / allowed_turn(tolerance) / most_made : 0.0;
-  int e = 0;
-  bool any = false;
-  for (Arc& arc : arcs) {
-    std::vector<double> cuts{0.0};
-    for (std::size_t i = 0; i + 1 < arc.cuts.size(); ++i, ++e) {
-      double where = 0.0;
-      const double error =
-          errs_in_time ? std::abs(curve.time_on(e) - finer.time_on(e)) : 0.0;
-      const double excess = std::max(0.0, curve.excess_on(e, where).value);
-      const double turn = turns * made[at(e)];
-      const double too_long =
-          std::max(std::pow(error / target, 1.0 / (2.0 * p)),
-                   std::pow(std::max(excess / kAllowedExcess, turn), 1.0 / p));
-      const int n = too_long <= 1.0 ? 1
-                                    : static_cast<int>(std::ceil(
-                                          std::min(kSafety * too_long, kMost)));
-      any = any || n > 1;
-      for (int k = 1; k <= n; ++k) {
-        cuts.push_back(arc.cuts[i] + (arc.cuts[i + 1] - arc.cuts[i]) * k / n);
-      }
-    }
-    arc.cuts = std::move(cuts);
-  }
-  return any;
+  return divide_where(arcs, [&](int e) {
+    const double error =
+        errs_in_time ? std::abs(curve.time_on(e) - finer.time_on(e)) : 0.0;
+    return std::max({std::pow(error / target, 1.0 / (2.0 * p)),
+                     std::pow(turns * made[at(e)], 1.0 / p),
+                     for_limits(curve, e, allowed)});
+  });
 }
 
 double largest_excess(const LimitedCurve& curve) {

@@ -13,19 +13,28 @@
 
 namespace brachisto {
 
-/// Elements are divided that err too much in T, which falls with their length
-/// h like h^(2p) at least, or exceed a limit between their points or make
-/// slopes err, there or elsewhere, which both fall like h^p. Whether any was.
+/// Allowed between points, well below what a certificate allows.
+inline constexpr double kAllowedExcess = 1e-9;
+/// Allowed of a path that exceeds limits itself, on elements however short:
+/// half of what a certificate allows. Arcs for less would be too short for
+/// their equations.
+inline constexpr double kAllowedOfPath = 5e-9;
+
+/// By how much limits are exceeded at most, between the points too.
+[[nodiscard]] double largest_excess(const LimitedCurve& curve);
+
+/// Elements are divided that exceed a limit between their points by more than
+/// is allowed, which falls with their length h like h^p. Whether any was.
+bool divide_for_limits(const LimitedCurve& curve, double allowed,
+                       std::vector<Arc>& arcs);
+/// So are those that err too much in T, which falls like h^(2p) at least, or
+/// make slopes err, there or elsewhere, which falls like h^p.
 ///
 /// \param finer      on the same elements, by a higher degree
 /// \param tolerance  relative, of T
+/// \param allowed    to be exceeded by
 bool divide(const LimitedCurve& curve, const LimitedCurve& finer,
-            double tolerance, std::vector<Arc>& arcs);
-
-/// Allowed between points, well below what a certificate allows.
-inline constexpr double kAllowedExcess = 1e-9;
-/// By how much limits are exceeded at most, between the points too.
-[[nodiscard]] double largest_excess(const LimitedCurve& curve);
+            double tolerance, double allowed, std::vector<Arc>& arcs);
 
 /// Whether both have the same slopes all along, as far as is asked for.
 [[nodiscard]] bool slopes_agree(const LimitedCurve& curve,

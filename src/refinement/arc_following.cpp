@@ -17,13 +17,15 @@ std::optional<FittedPath> fit_beside(const FittedPath& path, Stage stage,
                                      int degree, ArcSearch& arcs) {
   PathSetting setting{std::move(stage.limits), path.arcs, path.ends};
   if (!stage.scene) {
-    return arcs.fit_corrected(path.curve, std::move(setting), degree);
+    return arcs.fit_corrected(path.curve, std::move(setting), degree,
+                              kExceeded);
   }
   PathSystem there(*stage.scene, setting, degree);
   if (!there.move_to(setting, prolong(path.curve, there.problem()))) {
     return std::nullopt;
   }
-  return arcs.fit_corrected(there.curve(), std::move(setting), degree);
+  return arcs.fit_corrected(there.curve(), std::move(setting), degree,
+                            kExceeded);
 }
 
 }  // namespace

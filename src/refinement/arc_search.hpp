@@ -32,9 +32,11 @@ class ArcSearch {
   ///
   /// \param exceeded  see corrected()
   /// \param graded    on more elements, shorter next to junctions
-  [[nodiscard]] std::optional<FittedPath> fit_corrected(
-      LimitedCurve nearby, PathSetting setting, int degree,
-      double exceeded = kExceeded, bool graded = false);
+  [[nodiscard]] std::optional<FittedPath> fit_corrected(LimitedCurve nearby,
+                                                        PathSetting setting,
+                                                        int degree,
+                                                        double exceeded,
+                                                        bool graded = false);
 
  private:
   /// The path without arcs so short that their equations are within rounding

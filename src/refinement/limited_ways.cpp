@@ -170,7 +170,7 @@ std::optional<FittedPath> LimitedWays::follow_from_loosest() {
       arcs_.fit_corrected(
           loosest,
           {relaxation.at(0.0), arcs_of(loosest), loosest.problem().ends()},
-          kArcDegree),
+          kArcDegree, kExceeded),
       [&](double share) { return Stage{relaxation.at(share)}; },
       {.first = 0.05}, kArcDegree,
       mesh_ ? kFewFollowingSteps : kMostFollowingSteps, arcs_, protocol_);

@@ -173,8 +173,6 @@ class WithoutArcs {
 
   static constexpr int kMostElements = 800;
   static constexpr double kRounding = 1e-13;
-  /// What limits may be exceeded by between points.
-  static constexpr double kExcess = 1e-9;
   /// What limits are kept by in any case, well above what a certificate allows
   /// them to be exceeded by.
   static constexpr double kLeastMargin = 1e-7;
@@ -336,14 +334,14 @@ class WithoutArcs {
         double where = 0.0;
         const Excess excess = curve_.excess_on(e, where);
         if (!std::isfinite(excess.value)) return false;
-        if (excess.value <= kExcess) continue;
+        if (excess.value <= kAllowedExcess) continue;
         kept = false;
         margins_[at(e)][at(excess.limit)] += more[at(e)] * excess.value;
         more[at(e)] *= kMoreEachTime;
       }
       if (!kept) continue;
       const double of_motion = reintegrate(curve_).excess;
-      if (of_motion <= kExcess) return true;
+      if (of_motion <= kAllowedExcess) return true;
       for (std::vector<double>& margins : margins_) {
         for (double& margin : margins) margin += kMoreOfMotion * of_motion;
       }
@@ -373,7 +371,7 @@ class WithoutArcs {
       }
       double where = 0.0;
       const double excess = curve_.excess_on(e, where).value;
-      if (excess > kExcess) {
+      if (excess > kAllowedExcess) {
         sum +=
             excess * mesh.length(e) * curve_.rolling_time() *
             curve_.largest_multiplier(std::max(0, e - 1), std::min(N, e + 2));

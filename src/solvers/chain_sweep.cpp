@@ -21,7 +21,6 @@ namespace {
 // More delayed pivots than this, and smaller ones must do, but no smaller than
 // refinement can make up for.
 constexpr int kManyDelays = 24;
-constexpr double kLeastThreshold = 1e-6;
 
 }  // namespace
 
@@ -152,13 +151,14 @@ void ChainLdlt::separator(const Section& section, const Piece& piece) {
   }
   FrontStack::Rule rule{zero_, false};
   fronts_.eliminate(front_, rule);
-  while (front_.candidates > kManyDelays) {
-    rule.threshold *= 1e-2;
-    if (rule.threshold < kLeastThreshold) {
-      overflow_ = true;
-      return;
-    }
+  for (const double threshold : {1e-3, 1e-5}) {
+    if (front_.candidates <= kManyDelays) break;
+    rule.threshold = threshold;
     fronts_.eliminate(front_, rule);
+  }
+  if (front_.candidates > kManyDelays) {
+    overflow_ = true;
+    return;
   }
   std::swap(carried_, front_);
 }

@@ -64,11 +64,12 @@ void FrontStack::clear() {
 }
 
 /// Moves an acceptable pivot to k (and k + 1). Candidates are looked through
-/// from next_ on, around: those before it were no pivots when they were last
+/// from `next` on, around: those before it were no pivots when they were last
 /// looked at, and mostly are none yet.
-bool FrontStack::choose(Front& front, int k, const Rule& rule, Width& width) {
+bool FrontStack::choose(Front& front, int k, const Rule& rule, int& next,
+                        Width& width) {
   const auto take = [&](int row, int partner) {
-    next_ = row + 1;
+    next = row + 1;
     exchange(front, k, row);
     if (partner >= 0) exchange(front, k + 1, partner == k ? row : partner);
     width = partner < 0 ? Width::Single : Width::Pair;
@@ -79,9 +80,9 @@ bool FrontStack::choose(Front& front, int k, const Rule& rule, Width& width) {
   double best = 0.0;
   int best_row = -1;
   int best_partner = kAlone;
-  for (int tried = k; tried < front.candidates; ++tried, ++next_) {
-    if (next_ < k || next_ >= front.candidates) next_ = k;
-    const int j = next_;
+  for (int tried = k; tried < front.candidates; ++tried, ++next) {
+    if (next < k || next >= front.candidates) next = k;
+    const int j = next;
     const ColumnMax max = column_max(front, j, k, -1);
     const double diagonal = std::abs(front.at(j, j));
     if (diagonal <= rule.zero && max.value <= rule.zero) {
@@ -188,9 +189,8 @@ void FrontStack::eliminate(Front& front, const Rule& rule) {
   record.rows = rows_.size();
   record.size = n;
   Width width = Width::Single;
-  next_ = 0;
-  int k = 0;
-  while (k < front.candidates && choose(front, k, rule, width)) {
+  int k = 0, next = 0;
+  while (k < front.candidates && choose(front, k, rule, next, width)) {
     step(front, k, width);
     widths_.push_back(width);
     if (width == Width::Pair) widths_.push_back(width);
@@ -200,9 +200,9 @@ void FrontStack::eliminate(Front& front, const Rule& rule) {
   updates_ += static_cast<double>(k) * n * n;
   if (k > 0) {
     // Only now: exchanges move the rows of earlier multipliers too.
-    double* next = record.values = values_.top(record.num_values());
+    double* value = record.values = values_.top(record.num_values());
     for (int j = 0; j < k; ++j) {
-      next = std::copy(&front.at(0, j) + j, &front.at(0, j) + n, next);
+      value = std::copy(&front.at(0, j) + j, &front.at(0, j) + n, value);
     }
     values_.keep(record.num_values());
     rows_.insert(rows_.end(), front.unknowns.begin(), front.unknowns.end());

@@ -42,8 +42,7 @@ class FrontStack {
     /// threshold; else the candidates left are for a later front.
     bool complete = false;
     /// A pivot d is taken if its multipliers, those of 2×2 pivots likewise, are
-    /// at most 1/threshold (Duff and Reid). With 0.1 a quarter more candidates
-    /// are left for later fronts.
+    /// at most 1/threshold (Duff and Reid).
     double threshold = 0.01;
   };
 
@@ -74,7 +73,7 @@ class FrontStack {
   };
   enum class Width : char { Single, Pair };
 
-  bool choose(Front& front, int k, const Rule& rule, Width& width);
+  bool choose(Front& front, int k, const Rule& rule, int& next, Width& width);
   void step(Front& front, int k, Width width);
 
   std::vector<Record> records_;
@@ -83,7 +82,6 @@ class FrontStack {
   Arena<double> values_;
   std::vector<double> local_l_, local_m_;
   mutable std::vector<double> local_;
-  int next_ = 0;  ///< candidate to look at
   int negative_ = 0, zero_ = 0;
   double updates_ = 0.0;
 };

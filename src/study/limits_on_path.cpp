@@ -99,7 +99,7 @@ std::vector<LimitOnPath> limits_on_path(const PosedProblem& posed,
                                         const FittedPath& path,
                                         const LimitedMotion& motion) {
   // Half of what a bound is moved by, in natural units; of small ones a part.
-  constexpr double kStep = 1e-5, kPart = 0.1;
+  constexpr double kStep = 1e-5, kLeastStep = 1e-9, kPart = 0.1;
   const Scene& natural = *posed.limited;
   // τ = T √(2 g/H), times in natural units being those of 2 g = 1.
   const double tau = 1.0 / std::sqrt(natural.H);
@@ -125,7 +125,8 @@ std::vector<LimitOnPath> limits_on_path(const PosedProblem& posed,
     // One that holds nowhere may still decide the direction at A.
     PathLimits less = natural.limits, more = natural.limits;
     const double bound = scaled[i].bound.value_or(0.0);
-    const double step = bound > 0.0 ? std::min(kStep, kPart * bound) : kStep;
+    const double step =
+        bound > 0.0 ? std::clamp(kPart * bound, kLeastStep, kStep) : kStep;
     scaled[i].move(less, -step);
     scaled[i].move(more, step);
     const TimeRate price =

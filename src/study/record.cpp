@@ -7,8 +7,6 @@
 
 #include <utility>
 
-#include "study/answer_kinds.hpp"
-
 namespace brachisto {
 
 namespace {
@@ -98,18 +96,6 @@ void record(Answered answered, Solution& out) {
   out.estimated_error = answered.estimated_error;
   out.diagnostics = std::move(answered.diagnostics);
   out.limits = std::move(answered.limits);
-  const auto* program = out.options.of<Collocation>();
-  if (answer_as<LimitedPathAnswer>(out.answer) == nullptr ||
-      program == nullptr || program->discretisation.fixed()) {
-    return;
-  }
-  const double wanted = program->discretisation.wanted_tolerance();
-  if (out.estimated_error && *out.estimated_error > wanted) {
-    out.warnings.push_back(
-        fmt::format("the relative error of T is about {:.0e}, more than the "
-                    "{:g} that is wanted (discretisation.tolerance)",
-                    *out.estimated_error, wanted));
-  }
 }
 
 void record(Certified certified, Solution& out) {

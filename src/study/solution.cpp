@@ -90,17 +90,18 @@ std::string Solution::advice() const {
         "it be smooth",
         turn->where, scene.world.air.any() ? " or less air" : "");
   }
-  // Slopes along so short an arc differ by rounding from those without it.
-  constexpr double kTouches = 1e-6;
-  const Check* limits = certificate.find("limits");
-  if (limits != nullptr && !limits->passed && limits->value <= kTouches) {
-    return fmt::format(
-        "a bound that is {:g} larger or smaller: the path touches that of {}, "
-        "along less than can be resolved",
-        kTouches, limits->where);
-  }
   const Check* second_order = certificate.find("second_order");
   if (second_order == nullptr || !(second_order->value > 0.0)) {
+    constexpr double kTouches = 1e-6;
+    const Check* kept = certificate.find("limits");
+    const auto* program = options.of<Collocation>();
+    if (kept != nullptr && !kept->passed && kept->value <= kTouches &&
+        program != nullptr && !program->discretisation.fixed()) {
+      return fmt::format(
+          "a bound that is a millionth larger or smaller: the path touches "
+          "that of {}, along less than can be resolved",
+          kept->where);
+    }
     // Next to what no path keeps, multipliers grow and lose their digits.
     const Check* signs = certificate.find("multiplier_signs");
     return signs == nullptr || signs->passed ? std::string()

@@ -193,7 +193,7 @@ std::string input_hash(const io::SweepFile& file) {
   if (!file.problem(0).design.empty()) add(design_of(file));
   for (std::size_t scene = 0; scene < file.num_scenes(); ++scene) {
     const io::ProblemFile problem = file.problem(scene);
-    add(io::effective_lines(problem.scene, problem.options));
+    add(io::effective_lines(problem.scene, problem.options) + "\n");
   }
   const XXH128_hash_t hash = XXH3_128bits_digest(state.get());
   return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);

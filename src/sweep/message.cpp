@@ -111,7 +111,10 @@ std::optional<Answer> answer_from_line(std::string_view line) {
     return line.substr(begin, end - begin);
   };
   const std::string_view text = between(result + kResult.size(), state);
-  if (text.size() > kLongestOutcome) return std::nullopt;
+  if (text.size() > kLongestOutcome || !text.starts_with('{') ||
+      !text.ends_with('}')) {
+    return std::nullopt;
+  }
   const auto first = parse_bounded_json(between(kScene.size(), result));
   const auto second = parse_bounded_json(text);
   const auto third =

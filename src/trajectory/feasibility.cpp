@@ -79,7 +79,6 @@ std::vector<std::string> infeasible_because(const Scene& scene,
 std::vector<std::string> undecided_because(const Scene& scene,
                                            const PathDiagnostics& path) {
   std::vector<std::string> reasons;
-  if (!scene.body.rolls()) return reasons;
   const auto ask = [&](const char* what, const Extreme& least, double error,
                        const char* unit) {
     if (!(error > 0.0) || !(std::abs(least.value) <= error)) return;
@@ -87,19 +86,24 @@ std::vector<std::string> undecided_because(const Scene& scene,
         fmt::format("{} = {:.2g}{} {}, and the error of this mesh is {:.1g}{}",
                     what, least.value, unit, place(least), error, unit));
   };
-  // Where arcs are known limits are kept between points as well as at them.
+  // Where arcs are known, and elements as short as they need be, limits are
+  // kept between points as well as at them.
   const auto between = [&](const char* what, const Extreme& least, double bound,
                            const char* unit) {
     constexpr double kKept = 1e-6;  // a hundred times a certificate's threshold
     if (least.value >= bound - kKept) return;
     reasons.push_back(fmt::format(
-        "{} = {:.2g}{} {}, between points of this mesh, at which it keeps {}{}",
-        what, least.value, unit, place(least), bound, unit));
+        "{} is {:.2g}{} below its bound {} {}, between points of this mesh",
+        what, bound - least.value, unit, bound, place(least)));
   };
   const PathLimits& limits = scene.limits;
   if (forbid_lift_off(limits)) {
     between("R_n", path.min_normal_force,
             std::max(0.0, limits.normal_min.value_or(0.0)), " m g");
+  }
+  if (!scene.body.rolls()) return reasons;
+  if (forbid_lift_off(limits)) {
+    // Nothing else is to be asked of R_n.
   } else if (std::isinf(path.normal_force_error)) {
     return {"this mesh does not tell whether R_n rises at the start"};
   } else {

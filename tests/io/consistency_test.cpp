@@ -300,8 +300,9 @@ TEST(Consistency, NoContactIsSearchedForBetweenEndsOfTheCentresPath) {
   EXPECT_EQ(errors("scene: {body: {shape: bead}, finish: {L: 3, H: 1}, "
                    "contact: centre}\nsolver: {search: global}\n"),
             "p.yaml:2:18: solver.search: global is not allowed with contact: "
-            "centre; between fixed ends of the centre's path there is no "
-            "contact to search for");
+            "centre; it looks for other contacts, and fixed ends of the "
+            "centre's path leave none. Other minima, as beyond a disc, are not "
+            "looked for");
 }
 
 TEST(OtherWorlds, HaveOneFieldAlone) {

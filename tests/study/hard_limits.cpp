@@ -151,7 +151,7 @@ TEST(HardLimits, AnAnswerIsNoFailureWhereItsElementsCannotBeDivided) {
 /// some 1e-4 of the path. On elements that have not been divided yet that may
 /// be an error of polynomials; for a certificate it is too much. An excess ε
 /// along √ε of the path costs some ε^(3/2), 3e-11.
-TEST(HardLimits, WhatIsExceededByAMillionthOfAnArcIsHeldToo) {
+TEST(HardLimits, WhatThePathItselfExceedsIsHeldHoweverLittle) {
   constexpr double kBelow = 1e-7, kCost = 1e-10;
   Scene bead;
   bead.body.shape = Shape::Bead;

@@ -164,13 +164,20 @@ TEST(Feasibility, TellsWhatIsBeyondALimitBetweenPoints) {
   path.min_normal_force.value = 0.2 - 7e-5;
   path.min_fold_margin.value = -7e5;
   EXPECT_TRUE(infeasible_because(scene, path).empty());
-  EXPECT_EQ(undecided_because(scene, path).size(), 2U);
+  const auto reasons = undecided_because(scene, path);
+  ASSERT_EQ(reasons.size(), 2U);
+  EXPECT_EQ(reasons[0],
+            "R_n is 7e-05 m g below its bound 0.2 at x_b = 1.25, between "
+            "points of this mesh");
+  EXPECT_NE(reasons[1].find("below its bound 0.1"), std::string::npos);
 
   scene.limits = {};
   scene.limits.friction = 0.4;
   path = {};
   path.min_fold_margin = {1.0, 0.0};
   path.min_normal_force = {-7e-5, 1.25};
+  EXPECT_EQ(undecided_because(scene, path).size(), 1U);
+  scene.body = Body::bead();
   EXPECT_EQ(undecided_because(scene, path).size(), 1U);
 }
 

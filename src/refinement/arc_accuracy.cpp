@@ -47,8 +47,10 @@ class WithinLimits {
           path.curve.problem().mesh().num_elements() > kManyElements) {
         break;
       }
-      constexpr double kFalls = 0.25;  // that of polynomials falls by far more
-      const bool of_path = before && now > kFalls * *before;
+      // That of polynomials falls by far more, except next to rest; corrections
+      // see what is larger.
+      constexpr double kFalls = 0.25, kLargest = 10.0 * kExceeded;
+      const bool of_path = before && now <= kLargest && now > kFalls * *before;
       std::vector<Arc> arcs = path.arcs;
       if (of_path) {
         allowed_ = exceeded_ = kAllowedOfPath;

@@ -174,6 +174,19 @@ TEST(HardLimits, WhatThePathItselfExceedsIsHeldHoweverLittle) {
   }
 }
 
+/// What is exceeded next to rest falls to a half alone as elements are halved,
+/// and is an error of polynomials all the same.
+TEST(HardLimits, WhatFallsSlowlyNextToRestIsNotThePaths) {
+  PathLimits limits;
+  limits.friction = 0.781;
+  limits.discs = {{{2.873, 0.655}, 0.184}};
+
+  const Solution solution =
+      confirmed(cylinder_scene(0.1746, 0.326, -24.92, 0.683, 4.742, limits));
+
+  EXPECT_LE(*solution.estimated_error, 1e-10);
+}
+
 /// And until the contacts are as closed as the certificate wants them.
 TEST(HardLimits, ElementsAreHalvedUntilTheContactsAreClosed) {
   PathLimits limits;

@@ -174,8 +174,8 @@ TEST(HardLimits, WhatThePathItselfExceedsIsHeldHoweverLittle) {
   }
 }
 
-/// What is exceeded next to rest falls to a half alone as elements are halved,
-/// and is an error of polynomials all the same.
+/// What is exceeded next to rest falls slowly as elements are divided, and is an
+/// error of polynomials all the same.
 TEST(HardLimits, WhatFallsSlowlyNextToRestIsNotThePaths) {
   PathLimits limits;
   limits.friction = 0.781;

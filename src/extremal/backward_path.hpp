@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// An extremal followed from its contact at B back to where the body rests.
+/// An extremal followed from B back to where the body rests.
 
 #pragma once
 
@@ -14,14 +14,15 @@
 
 namespace brachisto {
 
-/// How a body arrives at B. An extremal with smooth contact is known by it:
-/// β = φ there, the energy gives w, p_θ = p_w = 0, and 𝓗 = ∂𝓗/∂β = 0 leave
+/// How a body arrives at B. An extremal is known by it: of the centre's end
+/// fixed, at B or where a smooth contact has it, β = φ there, the energy gives
+/// w, p_θ = p_w = 0, and 𝓗 = ∂𝓗/∂β = 0 leave
 ///
 ///     w (p_x cos φ + p_z sin φ) = −√A,
 ///     w (p_z cos φ − p_x sin φ) = −η cos(θ − φ)/√A.
 struct TerminalCondition {
   double theta = 0.0;  ///< orientation [rad]
-  double phi = 0.0;    ///< slope angle of the track [rad]
+  double phi = 0.0;    ///< slope angle of the track, and of the path [rad]
 };
 
 /// Where the path comes from. Energy is conserved, so that w = 0 on the height
@@ -35,8 +36,8 @@ struct InitialCondition {
 /// Integrates Hamilton's equations back from B.
 class BackwardShooting {
  public:
-  /// \param natural  the scene, off-centred, with Contact::Smooth, in natural
-  ///                 units
+  /// \param natural  the scene, off-centred, with Contact::Smooth or
+  ///                 Contact::Centre, in natural units
   /// \param longest  the path of the centre is given up when it gets longer
   BackwardShooting(const Scene& natural, double longest);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// All smooth contacts of a scene, from every way to arrive at B.
+/// All extremals of a scene, from every way to arrive at B.
 
 #pragma once
 
@@ -14,7 +14,8 @@
 
 namespace brachisto {
 
-/// An extremal with smooth contact at both ends, to some eight digits.
+/// An extremal with smooth contact at both ends, or between the centre's fixed
+/// ends, to some eight digits.
 struct ScannedContact {
   double phi = 0.0;                 ///< slope angle at B [rad]
   double rolling_time = 0.0;        ///< U
@@ -35,7 +36,7 @@ struct ContactScan {
   [[nodiscard]] bool complete() const { return whole_grid && tried == starts; }
 };
 
-/// Looks for extremals with smooth contact by shooting backwards.
+/// Looks for extremals by shooting backwards.
 ///
 /// The orientation θ and the slope angle φ with which a body arrives at B
 /// determine one extremal, which is followed back until the body rests (w = 0).
@@ -49,8 +50,8 @@ struct ContactScan {
 /// as is the number of starts. The work is bounded; starts inside of their
 /// triangles come first, the others as they lie ever further outside.
 ///
-/// \param natural  the scene, off-centred, with Contact::Smooth, in natural
-///                 units; so is the result
+/// \param natural  the scene, off-centred, with Contact::Smooth or
+///                 Contact::Centre, in natural units; so is the result
 /// \param longest  paths of the centre longer than this are left out
 /// \param stop     asked now and then; true ends the search with what is found
 /// \param most_steps  bound on the steps of all integrations

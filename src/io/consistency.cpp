@@ -101,15 +101,6 @@ void check_use(const Check& check) {
 
 void check_solver(const Check& check) {
   const auto& [root, problem, findings] = check;
-  if (check.sound_entry("solver.search") &&
-      !findings.concern("scene.contact") &&
-      problem.program.search == Search::Global &&
-      problem.scene.contact == Contact::Centre) {
-    check.refuse("solver.search",
-                 "global is not allowed with contact: centre; it looks for "
-                 "other contacts, and fixed ends of the centre's path leave "
-                 "none. Other minima, as beyond a disc, are not looked for");
-  }
   if (check.sound_entry("solver.sensitivities") && problem.scene.path &&
       problem.program.sensitivities != SensitivityOrder::None) {
     check.refuse("solver.sensitivities",
@@ -175,17 +166,18 @@ constexpr std::array<Excluded, 9> kOfExtremals{
 /// What is derived for a uniform field without air and losses, left from rest.
 constexpr std::string_view kOrdinaryStarts =
     "starts elsewhere are made for a body that leaves rest in a uniform field";
-constexpr std::array<Excluded, 5> kOfOrdinaryWorld{
+constexpr std::array<Excluded, 4> kOfOrdinaryWorld{
     {{"discretisation.formulation", "arc_length",
       "its speed is that of the energy height, which knows neither losses nor "
       "another potential"},
      {"solver.method", "fsolve",
       "the paper's discrete system is one of a uniform field, left from rest"},
-     {"solver.search", "global",
-      "the search goes back from B to rest with constant costates p_x and p_z, "
-      "as they are in a uniform field"},
      {"solver.guess", "straight", kOrdinaryStarts},
      {"solver.guess", "random", kOrdinaryStarts}}};
+constexpr std::array<Excluded, 1> kOfOrdinaryWorldWithoutLimits{
+    {{"solver.search", "global",
+      "without limits the search goes back from B to rest with constant "
+      "costates p_x and p_z, as they are in a uniform field"}}};
 
 void check_world(const Check& check) {
   constexpr std::string_view kUniform = "scene.field.uniform";
@@ -214,9 +206,14 @@ void check_world(const Check& check) {
         "scene.field.uniform and {}",
         fmt::join(keys, " and "));
   }
-  if (check.problem.scene.world.ordinary()) return;
-  exclude(check, kOfOrdinaryWorld,
-          "a field that varies, a start speed, air or losses");
+  const Scene& scene = check.problem.scene;
+  if (scene.world.ordinary()) return;
+  constexpr std::string_view kWorld =
+      "a field that varies, a start speed, air or losses";
+  exclude(check, kOfOrdinaryWorld, kWorld);
+  if (!scene.limits.any()) {
+    exclude(check, kOfOrdinaryWorldWithoutLimits, kWorld);
+  }
 }
 
 void check_arc_length(const Check& check) {

@@ -582,8 +582,8 @@ Keys solver_keys() {
        choice<kCollocation, &Collocation::search>(
            {{"principal", Search::Principal}, {"global", Search::Global}}),
        "which extremal is the answer. principal: the one that continues from "
-       "the cycloid as η_m grows from 0; global: of the smooth contacts that a "
-       "search finds the fastest verified and feasible one"},
+       "the cycloid as η_m grows from 0; global: of those that a search finds "
+       "the fastest verified and feasible one"},
       {"solver.polish", yes_or_no<kProgram, &Collocation::polish>(),
        "last digits by Newton's method on the optimality conditions and the "
        "contact together"},

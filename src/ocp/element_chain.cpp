@@ -66,8 +66,11 @@ nlp::ChainStructure element_chain(const Layout& layout, const Mesh& mesh,
     for (int i = 0; i < layout.num_limits(); ++i) {
       const std::size_t row = at(n + layout.limit(c, i));
       chain.block[row] = block;
-      // By the unknown h u of the control a limit has a derivative like 1/h.
-      chain.scale[row] = of_control[at(i)] ? root * root * root : root;
+      // By the unknown h u of the control a limit of the control has a
+      // derivative like 1/h. One of states that follow it through others, as
+      // the place does through the slope, has one like h: along a short arc the
+      // pivots that hold it would pass for rounding.
+      chain.scale[row] = of_control[at(i)] ? root * root * root : 1.0 / root;
     }
   }
   return chain;

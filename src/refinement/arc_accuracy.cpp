@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "brachisto/math/index.hpp"
 #include "refinement/arc_elements.hpp"
 #include "refinement/mesh_choice.hpp"
 
@@ -31,62 +32,83 @@ double change(const FittedPath& path, const FittedPath& other) {
   return std::abs(other.curve.transit_time() / path.curve.transit_time() - 1.0);
 }
 
+/// Whether a limit is held along an element that exceeds it.
+bool holds(const LimitedCurve& curve, const ExcessAt& excess) {
+  const auto& held = curve.problem().held();
+  return held && held->in_element[at(excess.element)][at(excess.limit)] !=
+                     nlp::Held::No;
+}
+
 /// Leads paths back within limits that they exceed between points.
 class WithinLimits {
  public:
   explicit WithinLimits(ArcSearch& search) : search_(search) {}
 
   /// On shorter elements, if polynomials exceed limits, or with more arcs, if
-  /// the path does. Nothing if it was not found on shorter ones.
+  /// the path does. Nothing if it was not found on shorter ones and exceeds
+  /// limits by more than is allowed of a path.
   [[nodiscard]] std::optional<FittedPath> lead(FittedPath path, int degree) {
     constexpr int kMostMeshes = 7;
     std::optional<double> before;  // exceeded on longer elements
-    for (int i = 0; i < kMostMeshes && !ended_; ++i) {
-      const double now = largest_excess(path.curve);
+    for (int i = 0; i < kMostMeshes && !as_close_as_found_; ++i) {
+      const ExcessAt worst = path.curve.largest_excess();
+      const double now = worst.value;
       if (now <= allowed_ || !std::isfinite(now) ||
           path.curve.problem().mesh().num_elements() > kManyElements) {
         break;
       }
-      // That of polynomials falls by far more, except next to rest; corrections
-      // see what is larger.
+      // That of polynomials falls by far more, except next to rest, and no
+      // other is one of limits that hold; corrections see what is larger.
       constexpr double kFalls = 0.25, kLargest = 10.0 * kExceeded;
-      const bool of_path = before && now <= kLargest && now > kFalls * *before;
+      constexpr double kFallsAtAll = 0.7;
+      const bool slow = before && now > kFalls * *before;
+      const bool of_path = slow && now <= kLargest && corrections_ > 0 &&
+                           !holds(path.curve, worst);
       std::vector<Arc> arcs = path.arcs;
       if (of_path) {
         allowed_ = exceeded_ = kAllowedOfPath;
         if (now <= allowed_) break;
-      } else if (!divide_for_limits(path.curve, allowed_, arcs)) {
-        break;
+      } else {
+        as_close_as_found_ =
+            corrections_ == 0 && before && now > kFallsAtAll * *before;
+        if (as_close_as_found_ ||
+            !divide_for_limits(path.curve, allowed_, arcs)) {
+          break;
+        }
       }
-      before = now;
       auto next = search_.fit_corrected(
           path.curve,
           {path.curve.problem().limits(), std::move(arcs), path.ends}, degree,
           exceeded_);
-      ended_ = !next || (of_path && ++corrections_ == kMostCorrections);
-      if (!next && !of_path && now > kAllowedOfPath) return std::nullopt;
+      if (of_path) {
+        corrections_ = next ? corrections_ - 1 : 0;
+      } else if (!next) {
+        if (now > kAllowedOfPath) return std::nullopt;
+        as_close_as_found_ = true;
+      }
+      // Elements are as long as before where no arc was found.
+      before = next || !of_path ? std::optional(now) : std::nullopt;
       if (next) path = *std::move(next);
     }
     return path;
   }
-  /// As closely as was found.
+  /// Or nothing closer is to be found: then the certificate judges.
   [[nodiscard]] bool keeps(const FittedPath& path) const {
-    return ended_ || largest_excess(path.curve) <= allowed_;
+    return as_close_as_found_ || path.curve.largest_excess().value <= allowed_;
   }
   /// What divisions may leave.
   [[nodiscard]] double allowed() const {
-    return ended_ ? std::numeric_limits<double>::infinity() : allowed_;
+    return as_close_as_found_ ? std::numeric_limits<double>::infinity()
+                              : allowed_;
   }
   /// From where on a limit is held by another arc.
   [[nodiscard]] double exceeded() const { return exceeded_; }
 
  private:
-  static constexpr int kMostCorrections = 2;
-
   ArcSearch& search_;
   double allowed_ = kAllowedExcess, exceeded_ = kExceeded;
-  int corrections_ = 0;
-  bool ended_ = false;
+  int corrections_ = 2;  ///< left to hold what the path exceeds
+  bool as_close_as_found_ = false;
 };
 
 }  // namespace
@@ -107,7 +129,7 @@ std::optional<LimitedAnswer> on_fixed_mesh(const FittedPath& path, int p,
     judge = refine_arcs(path, coarse.degree, accurate, search, protocol);
     if (judge &&
         (*judge->estimated_error > *accurate.tolerance ||
-         !(largest_excess(judge->path.curve) <= kAllowedOfPath) ||
+         !(judge->path.curve.largest_excess().value <= kAllowedOfPath) ||
          judge->path.curve.problem().mesh().num_elements() >= elements)) {
       judge.reset();
     }

@@ -188,13 +188,11 @@ class Correction {
   /// between others.
   [[nodiscard]] std::vector<double> places(int element) const {
     std::vector<double> places = curve_.places(element, kPlaces);
-    double worst = 0.0;
-    if (exceeded_ < kExceeded &&
-        curve_.excess_on(element, worst).value > exceeded_) {
-      const Mesh& mesh = curve_.problem().mesh();
-      const double t =
-          (worst - mesh.sigma(element, 0.0)) / mesh.length(element);
-      places.insert(std::ranges::upper_bound(places, t), t);
+    if (exceeded_ < kExceeded) {
+      const ExcessAt worst = curve_.excess_on(element);
+      if (worst.value > exceeded_) {
+        places.insert(std::ranges::upper_bound(places, worst.t), worst.t);
+      }
     }
     return places;
   }

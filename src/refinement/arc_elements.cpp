@@ -7,8 +7,6 @@
 #include <cmath>
 #include <utility>
 
-#include "solvers/larger.hpp"
-
 namespace brachisto {
 
 namespace {
@@ -83,9 +81,7 @@ bool divide_where(std::vector<Arc>& arcs, const TooLong& too_long) {
 
 /// How many times an element is too long to keep limits between its points.
 double for_limits(const LimitedCurve& curve, int element, double allowed) {
-  double where = 0.0;
-  const double excess =
-      std::max(0.0, curve.excess_on(element, where).value) / allowed;
+  const double excess = std::max(0.0, curve.excess_on(element).value) / allowed;
   return std::pow(excess, 1.0 / curve.problem().mesh().degree);
 }
 
@@ -125,14 +121,6 @@ bool divide(const LimitedCurve& curve, const LimitedCurve& finer,
                      std::pow(turns * made[at(e)], 1.0 / p),
                      for_limits(curve, e, allowed)});
   });
-}
-
-double largest_excess(const LimitedCurve& curve) {
-  double largest = 0.0, where = 0.0;
-  for (int e = 0; e < curve.problem().mesh().num_elements(); ++e) {
-    largest = larger(largest, curve.excess_on(e, where).value);
-  }
-  return largest;
 }
 
 bool slopes_agree(const LimitedCurve& curve, const LimitedCurve& finer,

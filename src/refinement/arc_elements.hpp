@@ -20,9 +20,6 @@ inline constexpr double kAllowedExcess = 1e-9;
 /// their equations.
 inline constexpr double kAllowedOfPath = 5e-9;
 
-/// By how much limits are exceeded at most, between the points too.
-[[nodiscard]] double largest_excess(const LimitedCurve& curve);
-
 /// Elements are divided that exceed a limit between their points by more than
 /// is allowed, which falls with their length h like h^p. Whether any was.
 bool divide_for_limits(const LimitedCurve& curve, double allowed,

@@ -331,8 +331,7 @@ class WithoutArcs {
       if (!close_contact(mesh)) return false;
       bool kept = true;
       for (int e = 0; e < mesh.num_elements(); ++e) {
-        double where = 0.0;
-        const Excess excess = curve_.excess_on(e, where);
+        const Excess excess = curve_.excess_on(e);
         if (!std::isfinite(excess.value)) return false;
         if (excess.value <= kAllowedExcess) continue;
         kept = false;
@@ -369,8 +368,7 @@ class WithoutArcs {
               std::abs(curve_.point().lambda[at(problem.layout().limit(c, i))]);
         }
       }
-      double where = 0.0;
-      const double excess = curve_.excess_on(e, where).value;
+      const double excess = curve_.excess_on(e).value;
       if (excess > kAllowedExcess) {
         sum +=
             excess * mesh.length(e) * curve_.rolling_time() *

@@ -24,7 +24,7 @@ Field<Solution> branches_field() {
   using B = Branch;
   return list(
       "branches",
-      "smooth contacts, or paths under limits, that search: global found, "
+      "extremals, or paths under limits, that search: global found, "
       "fastest first",
       &Solution::branches,
       {{"tau", "", "τ",

@@ -38,43 +38,44 @@ std::string slope(double radians, double error = 2e-6) {
 
 /// What a search finds.
 std::string branch_noun(const Solution& solution) {
-  return solution.scene.limits.any() ? "path" : "smooth contact";
+  const Scene& scene = solution.scene;
+  return scene.limits.any()                 ? "path"
+         : scene.contact == Contact::Centre ? "extremal"
+                                            : "smooth contact";
+}
+
+/// What the answer is, of its kind or of several that a search found.
+std::string answer_kind(const Solution& solution) {
+  if (!solution.verified() || solution.branches.size() < 2) {
+    return fmt::format("the {}", track_kind(solution.scene));
+  }
+  return fmt::format("the fastest verified{} of the {} found",
+                     solution.feasible() ? " and feasible" : "",
+                     counted(solution.branches.size(), branch_noun(solution)));
 }
 
 /// The condition at A and B, and where it says what the answer is.
 std::string asked(const Solution& solution) {
   const Scene& scene = solution.scene;
   if (scene.path) return "the motion along the path that the scene states";
-  if (scene.contact == Contact::Centre) {
-    return fmt::format("the {}", track_kind(scene));
-  }
-  const bool limited = scene.limits.any();
+  const std::string kind = answer_kind(solution);
+  if (scene.contact == Contact::Centre) return kind;
   if (scene.contact == Contact::Optimal) {
-    return fmt::format(
-        "the {}, its slopes at A and B free (docs/theory.md, section 11)",
-        track_kind(scene));
+    return kind + ", its slopes at A and B free (docs/theory.md, section 11)";
   }
   if (scene.contact == Contact::EndSlope) {
-    return fmt::format("the {}, {} at B (docs/theory.md, section 11)",
-                       track_kind(scene), slope(scene.end_slope.value_or(0.0)));
+    return fmt::format("{}, {} at B (docs/theory.md, section 11)", kind,
+                       slope(scene.end_slope.value_or(0.0)));
   }
+  const bool limited = scene.limits.any();
   if (!scene.body.rolls()) {
     return limited ? "the fastest wire from A to B under limits"
                    : "the fastest wire from A to B";
   }
-  std::string text = "a track from A to B without a kink at either end: ";
-  if (solution.options.searches()) {
-    text +=
-        fmt::format("the {} of the {} found",
-                    solution.feasible() ? "fastest verified and feasible"
-                                        : "fastest verified",
-                    counted(solution.branches.size(), branch_noun(solution)));
-  } else {
-    text += fmt::format("the {}", track_kind(scene));
-  }
-  return text + (limited ? ", a root and no minimum over the slopes there "
-                           "(docs/theory.md, section 11)"
-                         : " (docs/theory.md, section 3)");
+  return "a track from A to B without a kink at either end: " + kind +
+         (limited ? ", a root and no minimum over the slopes there "
+                    "(docs/theory.md, section 11)"
+                  : " (docs/theory.md, section 3)");
 }
 
 std::string contact_force(const PathDiagnostics& diagnostics) {
@@ -403,9 +404,8 @@ std::string next(const Solution& solution, bool designed) {
     const std::string search = wider_search(solution.scene, solution.options);
     return search.empty()
                ? other
-               : fmt::format(
-                     "solver.{}, for another contact may be feasible; {}",
-                     search, other);
+               : fmt::format("solver.{}, for another {} may be feasible; {}",
+                             search, branch_noun(solution), other);
   }
   if (!solution.undecided_because().empty()) {
     return "a finer mesh, which decides whether the track is feasible";

@@ -26,7 +26,7 @@ Descent descend(const Scene& scene, const ContactCandidate& saddle,
                 MeshOptions options) {
   // Next to nothing, but far more than what Ipopt takes for solved [rad].
   constexpr double kPush = 1e-3;
-  constexpr double kSame = 1e-6;  // [rad]
+  constexpr double kSame = 1e-6;
   Descent out;
   RollingTime problem(scene, saddle.curve.mesh(), saddle.phi);
   const MeshSolution there = stay_on_mesh(
@@ -44,12 +44,12 @@ Descent descend(const Scene& scene, const ContactCandidate& saddle,
     if (options.ipopt.stop.met()) return out;
     if (!found.solved() || !is_minimum(problem, found.point)) continue;
     // Both ways may lead to the same one.
-    const ExtremalCurve curve(problem, found.point);
-    if (std::none_of(out.minima.begin(), out.minima.end(),
-                     [&](const ContactCandidate& other) {
-                       return std::abs(other.phi - found.tangency.phi) <= kSame;
-                     })) {
-      out.minima.push_back({curve, found.tangency.phi});
+    ContactCandidate minimum{ExtremalCurve(problem, found.point),
+                             found.tangency.phi};
+    if (std::ranges::none_of(out.minima, [&](const ContactCandidate& other) {
+          return std::abs(mark_of(other) - mark_of(minimum)) <= kSame;
+        })) {
+      out.minima.push_back(std::move(minimum));
     }
   }
   return out;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// All smooth contacts of a scene that can be found.
+/// All extremals of a scene that can be found.
 
 #pragma once
 
@@ -16,11 +16,17 @@
 
 namespace brachisto {
 
-/// A smooth contact on the mesh of the search.
+/// An extremal on the mesh of the search, with smooth contact or between the
+/// centre's fixed ends.
 struct ContactCandidate {
   ExtremalCurve curve;
-  double phi = 0.0;
+  double phi = 0.0;  ///< of the smooth contact
 };
+
+/// By what those that take as long are told apart: φ of smooth contacts [rad],
+/// the length of the centre's path between its fixed ends, whose slope there
+/// errs by far more on coarse meshes.
+[[nodiscard]] double mark_of(const ContactCandidate& extremal);
 
 /// More are not solved for on a mesh.
 inline constexpr int kMostContacts = 24;
@@ -33,18 +39,18 @@ struct ContactSearch {
   std::string remark;
 };
 
-/// Looks for roots of β_end(φ) − φ.
+/// Looks for other extremals: roots of β_end(φ) − φ, or between fixed ends.
 ///
 /// scan_contacts() finds them by shooting backwards from B; Newton's method
-/// then solves for each on a mesh. A body that is not off-centred has but one
-/// smooth contact, and nothing is searched. What is found is not guaranteed to
-/// be all there is. There are about as many contacts as turns: beyond
-/// kMostContacts the slower ones are left out.
+/// then solves for each on a mesh. A body that is not off-centred has but one,
+/// and nothing is searched. What is found is not guaranteed to be all there is.
+/// There are about as many as turns: beyond kMostContacts the slower ones are
+/// left out.
 ///
-/// \param scene     in natural units, with Contact::Smooth
+/// \param scene     in natural units, with Contact::Smooth or Contact::Centre
 /// \param longest   paths of the centre longer than this are left out
 /// \param mesh_for  mesh that can represent a path of given length
-/// \param known     contacts known already; they come first in the result, the
+/// \param known     those known already; they come first in the result, the
 ///                  others follow by T
 [[nodiscard]] ContactSearch find_contacts(
     const Scene& scene, double longest,

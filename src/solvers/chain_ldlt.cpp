@@ -177,8 +177,8 @@ void ChainLdlt::begin_run(const Run& run, Plan& plan) {
 }
 
 double ChainLdlt::effort() const {
-  // An update is a multiplication of a vectorised loop, an unknown some hundreds
-  // of scattered ones.
+  // An update is a multiplication of a vectorised loop, an unknown some
+  // hundreds of scattered ones.
   constexpr double kUpdatesPerUnknown = 500.0;
   return map_.num_unknowns() + fronts_.updates() / kUpdatesPerUnknown;
 }

@@ -43,7 +43,7 @@ class FrontStack {
     bool complete = false;
     /// A pivot d is taken if its multipliers, those of 2×2 pivots likewise, are
     /// at most 1/threshold (Duff and Reid).
-    double threshold = 0.01;
+    double threshold = 0.1;
   };
 
   void clear();

@@ -8,10 +8,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "brachisto/math/clock.hpp"
 #include "study/certification.hpp"
+#include "study/resolve.hpp"
 #include "trajectory/feasibility.hpp"
 #include "trajectory/trajectory.hpp"
 
@@ -20,9 +22,9 @@ namespace brachisto {
 namespace {
 
 Branch judge(const PosedScene& scene, const Discretisation& wanted,
-             MeshAnswer& answer) {
+             MeshAnswer& answer, Certificate& checks) {
   const Trajectory trajectory(answer.curve(), scene.scene, scene.units);
-  const Certificate checks = certify_answer(answer, trajectory.curve(), wanted);
+  checks = certify_answer(answer, trajectory.curve(), wanted);
   return branch_of(trajectory, answer.estimated_error, checks,
                    infeasible_because(scene.scene, trajectory.diagnose()));
 }
@@ -79,23 +81,28 @@ JudgedBranches judge_branches(const PosedScene& scene,
         options.progress("branches",
                          fmt::format("{} of {}", i + 1, candidates.size()));
       }
-      Refinement refinement = refine(scene.natural, wanted, candidates[i].curve,
-                                     candidates[i].phi, quietly);
-      out.meshes.insert(out.meshes.end(), refinement.meshes.begin(),
-                        refinement.meshes.end());
-      if (!refinement.answer) {
-        out.failure = refinement.status;
-        continue;
+      std::optional<JudgedBranch> judged;
+      Certificate checks;
+      refine_until_resolved(
+          scene.natural, wanted, candidates[i], [&] { return quietly; },
+          [&](Refinement found) -> const Certificate* {
+            out.meshes.insert(out.meshes.end(), found.meshes.begin(),
+                              found.meshes.end());
+            if (!found.answer) {
+              out.failure = found.status;
+              return nullptr;
+            }
+            Branch branch = judge(scene, wanted, *found.answer, checks);
+            branch.principal = i == 0 && first_is_principal;
+            judged.emplace(std::move(branch), std::move(found));
+            return &checks;
+          });
+      if (judged &&
+          std::ranges::none_of(out.branches, [&](const JudgedBranch& other) {
+            return same(other.branch, judged->branch);
+          })) {
+        out.branches.push_back(*std::move(judged));
       }
-      Branch branch = judge(scene, wanted, *refinement.answer);
-      branch.principal = i == 0 && first_is_principal;
-      if (std::any_of(out.branches.begin(), out.branches.end(),
-                      [&](const JudgedBranch& other) {
-                        return same(other.branch, branch);
-                      })) {
-        continue;
-      }
-      out.branches.push_back({std::move(branch), std::move(refinement)});
     }
   };
   try {

@@ -316,8 +316,7 @@ std::vector<double> left_on_elements(const LimitedCurve& curve) {
          std::max(range.lower - g[at(i)], g[at(i)] - range.upper) / kWanted);
   }
   for (int e = 0; e < elements; ++e) {
-    double where = 0.0;
-    note(e, curve.excess_on(e, where).value / kBetween);
+    note(e, curve.excess_on(e).value / kBetween);
   }
   return left;
 }

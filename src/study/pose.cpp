@@ -168,14 +168,14 @@ std::vector<std::string> world_errors(const Scene& scene,
   const bool known =
       options.of<DiscreteSystem>() == nullptr &&
       (program == nullptr ||
-       (program->search == Search::Principal &&
+       ((program->search == Search::Principal || scene.limits.any()) &&
         program->guess == Guess::Cycloid &&
         program->discretisation.formulation == Formulation::RollingTime));
   if (known) return {};
   return {
       "in a field that varies, with a start speed, in air or with losses the "
-      "formulation is rolling_time, the search principal, the guess cycloid, "
-      "and the method not the discrete system"};
+      "formulation is rolling_time, the search without limits principal, the "
+      "guess cycloid, and the method not the discrete system"};
 }
 
 Collocation program_of(const SolveOptions& options) {

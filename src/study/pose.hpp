@@ -44,10 +44,6 @@ struct PosedProblem : PosedScene {
   }
   /// The options with the iterations that are left.
   [[nodiscard]] MeshOptions mesh_options_after(const Work& done) const;
-  /// Whether all smooth contacts are looked for.
-  [[nodiscard]] bool searches() const {
-    return options.searches() && natural.contact == Contact::Smooth;
-  }
 };
 
 /// The scene whose extremal limits are relaxed to: without them, and with a

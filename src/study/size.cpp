@@ -142,9 +142,9 @@ Cost with_search(Cost cost, double turns) {
 /// What is asked for besides the answer [s].
 double seconds_beside(const PosedProblem& posed, double turns, double nodes) {
   double seconds = 0.0;
-  if (posed.searches()) seconds += 0.8 + 0.5 * turns;
+  if (posed.options.searches()) seconds += 0.8 + 0.5 * turns;
   // 3 to 16 s were measured (docs/numerics.md).
-  if (posed.searches() && posed.limited) seconds += 3.0 + 4.0 * turns;
+  if (posed.options.searches() && posed.limited) seconds += 3.0 + 4.0 * turns;
   if (posed.program.certify == Certify::Extremal) {
     seconds += 0.02 + 3e-3 * turns;
   }
@@ -192,7 +192,9 @@ Forecast forecast(const PosedProblem& posed) {
     cost = of_adaptive_mesh(out.turns, posed.program.discretisation, limited);
     out.adaptive = true;
   }
-  if (posed.searches() && out.adaptive) cost = with_search(cost, out.turns);
+  if (posed.options.searches() && out.adaptive) {
+    cost = with_search(cost, out.turns);
+  }
   // Every method but the paper's begins with the branch on a coarse mesh.
   out.nodes = std::ceil(cost.nodes);
   out.bytes = std::ceil(kBytesOfProgram + std::max(cost.bytes, way.bytes));

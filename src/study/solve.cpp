@@ -28,6 +28,7 @@
 #include "study/limited_branches.hpp"
 #include "study/limited_shooting.hpp"
 #include "study/record.hpp"
+#include "study/resolve.hpp"
 #include "study/shooting.hpp"
 #include "study/size.hpp"
 #include "study/solve_beside.hpp"
@@ -149,7 +150,7 @@ void solve_program(const PosedProblem& posed, const Start& start,
   record(start, out);
   if (posed.stop().met()) return;
   // What a search looks through is measured by some path.
-  if (posed.searches() && (posed.cycloid || start.curve)) {
+  if (posed.options.searches() && (posed.cycloid || start.curve)) {
     return posed.limited ? search_under_limits(posed, start, out)
                          : search_contacts(posed, start, out);
   }
@@ -261,9 +262,9 @@ void follow_given_path(const PosedProblem& posed, Solution& out) {
 
 // ---- From a start to an answer.
 
-/// All smooth contacts of the free motion that a search finds, those that are
-/// known from the start first. It starts from what is cheap to know: the
-/// principal extremal, and where it is a saddle, the minima beside it.
+/// All extremals of the free motion that a search finds, those that are known
+/// from the start first: what is cheap to know, the principal one, and where it
+/// is a saddle, the minima beside it. In other worlds there are no more.
 ContactSearch free_contacts(const PosedProblem& posed, const Start& principal,
                             const MeshOptions& each, Solution& out) {
   // As a multiple of the path of the uniform cylinder, or what is in its place.
@@ -279,15 +280,23 @@ ContactSearch free_contacts(const PosedProblem& posed, const Start& principal,
     std::move(descent.minima.begin(), descent.minima.end(),
               std::back_inserter(known));
   }
-  ContactSearch search = find_contacts(
-      posed.natural, kLongest * uniform,
-      [&](double length) { return sampled_mesh(posed.natural.body, length); },
-      std::move(known), posed.stop(), posed.progress());
+  ContactSearch search;
+  if (posed.natural.world.ordinary()) {
+    search = find_contacts(
+        posed.natural, kLongest * uniform,
+        [&](double length) { return sampled_mesh(posed.natural.body, length); },
+        std::move(known), posed.stop(), posed.progress());
+  } else {
+    search.remark = known.empty() ? "no extremal without limits is known"
+                                  : "of extremals without limits the principal "
+                                    "one alone is known in this world";
+    search.contacts = std::move(known);
+  }
   record(search, out);
   return search;
 }
 
-/// The fastest of all smooth contacts that can be found is the answer.
+/// The fastest of all extremals that can be found is the answer.
 void search_contacts(const PosedProblem& posed, const Start& principal,
                      Solution& out) {
   // Each of the extremals may take what the limit allows.
@@ -301,11 +310,11 @@ void search_contacts(const PosedProblem& posed, const Start& principal,
   JudgedBranch* best = best_branch(judged.branches);
   if (best == nullptr) {
     return record(
-        Outcome{judged.failure,
-                fmt::format(
-                    "of {} smooth contacts that the search found, none could "
-                    "be solved for as accurately as wanted",
-                    search.contacts.size())},
+        Outcome{
+            judged.failure,
+            fmt::format("of {} extremals that the search found, none could be "
+                        "solved for as accurately as wanted",
+                        search.contacts.size())},
         out);
   }
   record_way(best->refinement, out);
@@ -343,35 +352,30 @@ void seek_other_paths(const PosedProblem& posed, const Start& principal,
   if (posed.stop().met()) return;
   const MeshOptions each = posed.mesh_options_after({});
   const ContactSearch free = free_contacts(posed, principal, each, out);
-  if (free.contacts.empty()) return;
-  const LimitedSearch search =
-      find_limited_paths(*posed.limited, free.contacts, each);
+  LimitedSearch search;
+  if (!free.contacts.empty()) {
+    search = find_limited_paths(*posed.limited, free.contacts, each);
+  }
   record(search, out);
   judge_limited_paths(posed, search.paths, out);
 }
 
-/// Refines until T is as accurate as wanted and, where the path bends sharply,
-/// until it is resolved between the nodes too.
+/// By collocation.
 void refine_elements(const PosedProblem& posed, const Start& start,
                      Solution& out) {
-  constexpr int kRounds = 3;
-  constexpr double kTighter = 1e-2;
-  Discretisation wanted = posed.program.discretisation;
-  ExtremalCurve curve = *start.curve;
-  double phi = start.phi;
-  for (int round = 0; round < kRounds; ++round) {
-    Refinement refinement = refine(posed.natural, wanted, curve, phi,
-                                   posed.mesh_options_after(out.effort));
-    record(refinement, out);
-    if (!refinement.answer || posed.stop().met()) return;
-    // A better answer than the best one was still wanted.
-    if (refinement.status == Status::IterationLimit) return;
-    conclude(posed, *refinement.answer, out);
-    if (wanted.fixed() || !under_resolved(out.certificate)) return;
-    curve = refinement.answer->curve();
-    phi = refinement.answer->solution.tangency.phi;
-    wanted.tolerance = kTighter * wanted.tolerance.value_or(kDefaultTolerance);
-  }
+  refine_until_resolved(
+      posed.natural, posed.program.discretisation, {*start.curve, start.phi},
+      [&] { return posed.mesh_options_after(out.effort); },
+      [&](Refinement found) -> const Certificate* {
+        record(found, out);
+        // At the limit a better answer than the best one was still wanted.
+        if (!found.answer || posed.stop().met() ||
+            found.status == Status::IterationLimit) {
+          return nullptr;
+        }
+        conclude(posed, *found.answer, out);
+        return &out.certificate;
+      });
 }
 
 /// The same by straight pieces, in the paper's variables.

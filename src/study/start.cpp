@@ -85,7 +85,10 @@ Start start_in_offset(const PosedProblem& posed) {
   if (!start.curve && !posed.stop().met()) follow_folds(posed, start);
   if (start.curve) return start;
   const std::string slow = slow_at_end(arc);
-  const std::string search = wider_search(posed.scene, posed.options);
+  // It goes back from B in the ordinary world alone.
+  const std::string search = posed.scene.world.ordinary()
+                                 ? wider_search(posed.scene, posed.options)
+                                 : std::string();
   if (!slow.empty()) {
     start.message += slow;
   } else if (!search.empty()) {

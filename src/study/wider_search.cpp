@@ -6,10 +6,9 @@
 namespace brachisto {
 
 std::string wider_search(const Scene& scene, const SolveOptions& options) {
-  if (options.searches() || scene.contact != Contact::Smooth ||
-      !scene.world.ordinary() || scene.path) {
-    return {};
-  }
+  const bool any_others = scene.limits.any() ||
+                          (scene.world.ordinary() && scene.body.off_centred());
+  if (options.searches() || scene.path || !any_others) return {};
   const std::string search = "search: global";
   const auto* program = options.of<Collocation>();
   if (program == nullptr) return search + " with method: ipopt";

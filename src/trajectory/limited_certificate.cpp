@@ -117,19 +117,16 @@ void check_energy(const LimitedCurve& curve, double threshold,
 /// own speeds and places: at and between the points of all elements.
 void check_limits(const LimitedCurve& curve, Certificate& certificate) {
   constexpr double kAllowed = 1e-8;
-  double worst = 0.0;
-  std::string where;
-  for (int e = 0; e < curve.problem().mesh().num_elements(); ++e) {
-    check_stop(e);
-    double sigma = 0.0;
-    const Excess excess = curve.excess_on(e, sigma);
-    if (std::isnan(worst) || excess.value <= worst) continue;
-    worst = excess.value;
-    where = fmt::format("{} at u/U = {:.6g}",
-                        name(curve.problem().limits()[at(excess.limit)].kind),
-                        sigma);
+  const ExcessAt worst = curve.largest_excess();
+  if (worst.value <= 0.0) {
+    certificate.add("limits", 0.0, kAllowed);
+    return;
   }
-  certificate.add("limits", worst, kAllowed, where);
+  const LimitedTime& problem = curve.problem();
+  certificate.add("limits", worst.value, kAllowed,
+                  fmt::format("{} at u/U = {:.6g}",
+                              name(problem.limits()[at(worst.limit)].kind),
+                              problem.mesh().sigma(worst.element, worst.t)));
 }
 
 /// Multipliers at the end of an element are impulses, whatever its length, of a

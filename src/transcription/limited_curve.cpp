@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "brachisto/math/clock.hpp"
 #include "brachisto/math/index.hpp"
 #include "math/minima.hpp"
 #include "model/field.hpp"
@@ -127,7 +128,7 @@ std::vector<double> LimitedCurve::places(int element, int count) const {
   return out;
 }
 
-Excess LimitedCurve::excess_on(int element, double& sigma) const {
+ExcessAt LimitedCurve::excess_on(int element) const {
   constexpr int kPlaces = 20;
   constexpr double kLooked = 1e-9;  // well below what matters
   // What holds from rest on does so there, to what polynomials of states and
@@ -149,15 +150,14 @@ Excess LimitedCurve::excess_on(int element, double& sigma) const {
       at_rest[i].upper = std::numeric_limits<double>::infinity();
     }
   }
-  Excess worst;
+  ExcessAt worst;
   const auto look = [&](double t) {
     const Excess here =
         worst_excess(t > 0.0 || at_rest.empty() ? problem_->limits() : at_rest,
                      problem_->scene(), state_at(element, t));
     // Written so that a NaN stays.
     if (!(here.value <= worst.value) && !std::isnan(worst.value)) {
-      worst = here;
-      sigma = problem_->mesh().sigma(element, t);
+      worst = {here, element, t};
     }
     return -here.value;
   };
@@ -168,6 +168,17 @@ Excess LimitedCurve::excess_on(int element, double& sigma) const {
   }
   // Between the places too.
   static_cast<void>(math::minima_below(-kLooked, slack, look));
+  return worst;
+}
+
+ExcessAt LimitedCurve::largest_excess() const {
+  ExcessAt worst;
+  for (int e = 0; e < problem_->mesh().num_elements(); ++e) {
+    check_stop(e);
+    const ExcessAt here = excess_on(e);
+    if (std::isnan(worst.value)) break;
+    if (!(here.value <= worst.value)) worst = here;
+  }
   return worst;
 }
 

@@ -13,6 +13,7 @@
 
 #include "brachisto/math/index.hpp"
 #include "brachisto/nlp/problem.hpp"
+#include "model/path_inequality.hpp"
 #include "model/world_hamiltonian.hpp"
 #include "transcription/limited_time.hpp"
 
@@ -26,6 +27,12 @@ struct LimitedPoint {
   /// Of each limit per unit of u, minus dT by its bound: ≥ 0 where a value is
   /// at its upper bound, ≤ 0 at its lower one.
   std::vector<double> multipliers;
+};
+
+/// What a path exceeds most, and where: at the place t ∈ [0, 1] of an element.
+struct ExcessAt : Excess {
+  int element = 0;
+  double t = 0.0;
 };
 
 /// The state without slope and control.
@@ -63,7 +70,9 @@ class LimitedCurve {
   /// Of the limits along an element, at its points and where they are exceeded
   /// most between them; at rest of those that do not hold from there on. The
   /// control between points is the slope of β: both polynomials agree.
-  [[nodiscard]] Excess excess_on(int element, double& sigma) const;
+  [[nodiscard]] ExcessAt excess_on(int element) const;
+  /// The largest one along the path; one that is not a number is.
+  [[nodiscard]] ExcessAt largest_excess() const;
   /// The slope at the end by transversality with the costates there [rad]; see
   /// Transcription::end_slope().
   [[nodiscard]] double transverse_slope() {

@@ -296,15 +296,6 @@ TEST(Consistency, KeysComeInAnyOrderAndWhatHoldsAnywayIsNoMistake) {
             std::string::npos);
 }
 
-TEST(Consistency, NoContactIsSearchedForBetweenEndsOfTheCentresPath) {
-  EXPECT_EQ(errors("scene: {body: {shape: bead}, finish: {L: 3, H: 1}, "
-                   "contact: centre}\nsolver: {search: global}\n"),
-            "p.yaml:2:18: solver.search: global is not allowed with contact: "
-            "centre; it looks for other contacts, and fixed ends of the "
-            "centre's path leave none. Other minima, as beyond a disc, are not "
-            "looked for");
-}
-
 TEST(OtherWorlds, HaveOneFieldAlone) {
   const std::string sphere =
       "sphere: {centre: {x: 0, z: 9}, radius: 3, surface_gravity: 2}";
@@ -335,6 +326,23 @@ TEST(OtherWorlds, AreRefusedByWhatIsDerivedForTheOrdinaryOne) {
         std::string::npos)
         << stated;
   }
+}
+
+TEST(OtherWorlds, AreSearchedUnderLimits) {
+  const std::string scene =
+      "scene: {body: {shape: bead}, finish: {L: 3, H: 1}, air: {linear: 1}";
+  const std::string search = "}\nsolver: {search: global}\n";
+
+  EXPECT_EQ(errors(scene + ", limits: {floor: 2}" + search), "");
+  EXPECT_NE(errors(scene + search).find("without limits the search goes back"),
+            std::string::npos);
+}
+
+TEST(Consistency, FixedEndsAreSearchedToo) {
+  EXPECT_EQ(errors("scene: {body: {shape: cylinder, radius: 0.1, eta_m: 0.5, "
+                   "k: 0.2}, finish: {L: 3, H: 1}, contact: centre}\n"
+                   "solver: {search: global}\n"),
+            "");
 }
 
 TEST(OtherWorlds, SurviveTheWayThroughTheirEcho) {

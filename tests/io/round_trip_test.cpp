@@ -5,8 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <variant>
 #include <vector>
@@ -134,6 +136,30 @@ TEST(RoundTrip, BookkeepingIsIgnoredInDocumentsOfTheProgramAlone) {
   EXPECT_EQ(errors("schema_version: 2\nvalid: true\n" + scene), "");
   EXPECT_NE(errors("valid: true\n" + scene), "");
   EXPECT_NE(errors("schema_version: 2\nstatus: solved\n" + scene), "");
+}
+
+/// They stand for the input where sweeps are told apart.
+TEST(EffectiveLines, SayOfEachProblemWhatItsDocumentSays) {
+  int lines = 0;
+  for (const std::filesystem::path& file : problem_files()) {
+    std::variant<ProblemFile, SweepFile> content;
+    try {
+      content = read_problem_or_sweep_file(file);
+    } catch (const InputError&) {
+      continue;
+    }
+    const auto* problem = std::get_if<ProblemFile>(&content);
+    if (problem == nullptr) continue;
+    Json again;
+    std::istringstream text(effective_lines(problem->scene, problem->options));
+    for (std::string key, value; text >> key && std::getline(text, value);) {
+      std::ranges::replace(key, '.', '/');
+      again[Json::json_pointer("/" + key)] = Json::parse(value);
+      ++lines;
+    }
+    EXPECT_EQ(again, effective_input(problem->scene, problem->options)) << file;
+  }
+  EXPECT_GT(lines, 1000);
 }
 
 TEST(Points, OfAListAreCheckedLikeThoseOfAFile) {

@@ -66,19 +66,35 @@ Scene bead_and_disc() {
 constexpr double kOver = 4.5506210365753, kUnder = 4.5316407841612;
 constexpr double kDigits = 1e-12;
 
-TEST(LimitedSearch, FindsBothWaysOfABeadRoundADisc) {
-  const Solution found = solved(bead_and_disc(), Search::Global);
+void expect_both_ways(const Scene& scene, double fastest, double other) {
+  const Solution found = solved(scene, Search::Global);
 
   ASSERT_TRUE(found.verified()) << found.message;
-  EXPECT_NEAR(found.motion()->tau(), kUnder,
-              kDigits + *found.estimated_error * kUnder);
-  const Branch* over = branch_with(found, kOver, kDigits);
-  ASSERT_NE(over, nullptr);
-  EXPECT_TRUE(over->verified);
-  EXPECT_TRUE(over->minimum);
-  EXPECT_TRUE(over->feasible);
+  EXPECT_NEAR(found.motion()->tau(), fastest,
+              kDigits + *found.estimated_error * fastest);
+  const Branch* slower = branch_with(found, other, kDigits);
+  ASSERT_NE(slower, nullptr);
+  EXPECT_TRUE(slower->verified);
+  EXPECT_TRUE(slower->minimum);
+  EXPECT_TRUE(slower->feasible);
   EXPECT_EQ(std::ranges::count_if(found.branches, &Branch::principal), 1);
   EXPECT_TRUE(std::ranges::is_sorted(found.branches, {}, &Branch::tau));
+}
+
+TEST(LimitedSearch, FindsBothWaysOfABeadRoundADisc) {
+  expect_both_ways(bead_and_disc(), kUnder, kOver);
+}
+
+/// The same with P_z + h in place of P_z and H + h of H, h = v²/2g, and the
+/// first cycloid from R (1 − cos ψ_A) = h on.
+TEST(LimitedSearch, FindsBothWaysOfABeadThatIsPushed) {
+  Scene scene = bead_and_disc();
+  scene.gravity = 10.0;
+  scene.world.start_speed = 2.0;
+  constexpr double kPushedOver = 3.57445376583539;
+  constexpr double kPushedUnder = 3.61279034720083;
+
+  expect_both_ways(scene, kPushedOver, kPushedUnder);
 }
 
 Scene free_contacts_above_a_floor() {

@@ -40,6 +40,35 @@ Solution confirmed(const Scene& scene) {
   return solution;
 }
 
+/// The cycloid of a bead passes a disc at 0.2648531203064. One that is greater
+/// by a ten-thousandth is followed for 1e-5 of the path: a cycloid, an arc of
+/// the circle and another cycloid, as in tests/search/limited_search.cpp, by
+/// scipy.
+TEST(HardLimits, ADiscThatIsHardlyTouchedIsFollowedAllTheSame) {
+  struct Case {
+    double radius, tau;
+  };
+  for (const auto& [radius, tau] :
+       {Case{0.264953120306414, 4.51056314380051},
+        Case{0.265153120306414, 4.51056320023721},
+        Case{0.265853120306414, 4.51056384245616}}) {
+    Scene scene;
+    scene.body = Body::bead();
+    scene.L = 3.0;
+    scene.H = 1.0;
+    scene.limits.discs = {{{1.2, 1.4}, radius}};
+
+    const Solution solution = solve(scene, {});
+
+    ASSERT_TRUE(solution.verified()) << solution.message;
+    EXPECT_LE(*solution.estimated_error, 1e-12) << radius;
+    // scipy's τ, from junctions to 1e-15, is known to its last digit but two.
+    EXPECT_NEAR(solution.motion()->tau(), tau,
+                tau * *solution.estimated_error + 1e-12)
+        << radius;
+  }
+}
+
 /// The free track passes below the disc, where a half-plane leaves no room: an
 /// elastic program that starts from it ends between the two.
 TEST(HardLimits, APathGoesRoundADiscOnTheSideThatIsOpen) {
@@ -174,8 +203,8 @@ TEST(HardLimits, WhatThePathItselfExceedsIsHeldHoweverLittle) {
   }
 }
 
-/// What is exceeded next to rest falls slowly as elements are divided, and is an
-/// error of polynomials all the same.
+/// What is exceeded next to rest falls slowly as elements are divided, and is
+/// an error of polynomials all the same.
 TEST(HardLimits, WhatFallsSlowlyNextToRestIsNotThePaths) {
   PathLimits limits;
   limits.friction = 0.781;
@@ -245,6 +274,20 @@ TEST(HardLimits, ABodyWithRollingResistanceBeginsWithoutLoad) {
     EXPECT_NEAR(falling.s, 0.5 * fall * falling.t * falling.t,
                 1e-9 * falling.s);
   }
+}
+
+/// Next to A friction holds behind a hump, and what its polynomials exceed the
+/// bound by falls slowly there. No other arc could hold what holds already.
+TEST(HardLimits, WhatALimitThatHoldsIsExceededByIsDividedFor) {
+  PathLimits limits;
+  limits.friction = 0.917;
+  limits.curvature.hump = 1.101;
+  limits.curvature.of = CurvatureLimit::Of::Centre;
+  Scene scene = cylinder_scene(0.4325, 0.676, -34.93, 0.411, 2.059, limits);
+  scene.world.air.linear = 0.04;
+  scene.world.air.quadratic = 0.013;
+
+  confirmed(scene);
 }
 
 /// Its first path meets all conditions but the sign of a multiplier: others are

@@ -101,14 +101,25 @@ TEST(Saddle, TheAdviceIsGood) {
   EXPECT_GT(answer, 0.0);
 }
 
-TEST(Saddle, BetweenCentresIsNoReasonToSearchForContacts) {
-  Solution solution;
-  solution.certificate.add("second_order", 1.0, 0.0, "");
-  EXPECT_NE(solution.advice(), "");
-
-  solution.scene.contact = Contact::Centre;
-
-  EXPECT_EQ(solution.advice(), "");
+TEST(Saddle, IsAReasonToSearchWhereThereAreOthers) {
+  const auto advice = [](const Scene& scene) {
+    Solution solution;
+    solution.scene = scene;
+    solution.certificate.add("second_order", 1.0, 0.0, "");
+    return solution.advice();
+  };
+  Scene scene = scene_of_a_saddle();
+  EXPECT_NE(advice(scene), "");
+  scene.contact = Contact::Centre;
+  EXPECT_NE(advice(scene), "");
+  scene.world.start_speed = 1.0;
+  EXPECT_EQ(advice(scene), "");
+  scene.limits.floor = 5.0;
+  EXPECT_NE(advice(scene), "");
+  scene.limits = {};
+  scene.world = {};
+  scene.body.eta_m = 0.0;
+  EXPECT_EQ(advice(scene), "");
 }
 
 TEST(Saddle, IsNotAssumedWhereAMinimumIsFound) {

@@ -290,7 +290,7 @@ struct ColdStart {
   bool principal = false;     ///< it led to the principal branch
 };
 
-/// One smooth contact, or path under limits, that Search::Global found.
+/// One extremal, or path under limits, that Search::Global found.
 struct Branch {
   double tau = 0.0;
   double estimated_error = 0.0;     ///< relative

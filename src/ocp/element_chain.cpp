@@ -68,9 +68,12 @@ nlp::ChainStructure element_chain(const Layout& layout, const Mesh& mesh,
       chain.block[row] = block;
       // By the unknown h u of the control a limit of the control has a
       // derivative like 1/h. One of states that follow it through others, as
-      // the place does through the slope, has one like h: along a short arc the
+      // the place does through the slope, has one like h: on short elements the
       // pivots that hold it would pass for rounding.
-      chain.scale[row] = of_control[at(i)] ? root * root * root : 1.0 / root;
+      constexpr double kShort = 1e-4;
+      chain.scale[row] = of_control[at(i)]
+                             ? root * root * root
+                             : root * std::max(1.0, kShort / (root * root));
     }
   }
   return chain;

@@ -211,7 +211,11 @@ void check_world(const Check& check) {
   constexpr std::string_view kWorld =
       "a field that varies, a start speed, air or losses";
   exclude(check, kOfOrdinaryWorld, kWorld);
-  if (!scene.limits.any()) {
+  const bool any_limits_refused =
+      std::ranges::any_of(check.findings.all(), [](const Finding& finding) {
+        return finding.key.starts_with("scene.limits");
+      });
+  if (!scene.limits.any() && !any_limits_refused) {
     exclude(check, kOfOrdinaryWorldWithoutLimits, kWorld);
   }
 }

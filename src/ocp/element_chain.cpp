@@ -67,9 +67,10 @@ nlp::ChainStructure element_chain(const Layout& layout, const Mesh& mesh,
       const std::size_t row = at(n + layout.limit(c, i));
       chain.block[row] = block;
       // By the unknown h u of the control a limit of the control has a
-      // derivative like 1/h. One of states that follow it through others, as
-      // the place does through the slope, has one like h: on short elements the
-      // pivots that hold it would pass for rounding.
+      // derivative like 1/h, one of a state that the control drives one like 1,
+      // and one of states driven by that, as the place is by the slope, one
+      // like h: on short elements the pivots that hold it would pass for
+      // rounding.
       constexpr double kShort = 1e-4;
       chain.scale[row] = of_control[at(i)]
                              ? root * root * root

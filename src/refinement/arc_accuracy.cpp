@@ -57,8 +57,8 @@ class WithinLimits {
           path.curve.problem().mesh().num_elements() > kManyElements) {
         break;
       }
-      // That of polynomials falls by far more, except next to rest, and no
-      // other is one of limits that hold; corrections see what is larger.
+      // That of polynomials falls by far more, except next to rest; of a limit
+      // that holds already all is theirs. Corrections see what is larger.
       constexpr double kFalls = 0.25, kLargest = 10.0 * kExceeded;
       constexpr double kFallsAtAll = 0.7;
       const bool slow = before && now > kFalls * *before;

@@ -27,7 +27,8 @@ struct Descent {
 /// the body then arrives about half a turn earlier or later. What is reached is
 /// a minimum between its own fixed ends, on the mesh of the saddle.
 ///
-/// \param scene  in natural units, with Contact::Smooth
+/// \param scene  in natural units, with Contact::Smooth, or with
+///               Contact::Centre, whose ends stay
 [[nodiscard]] Descent descend(const Scene& scene,
                               const ContactCandidate& saddle,
                               MeshOptions options);

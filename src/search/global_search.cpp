@@ -54,14 +54,17 @@ std::string remark(const ContactScan& scan, std::size_t left,
         "of {} extremals that it found the {} slowest were not solved for",
         scan.contacts.size(), left));
   }
-  if (lost > 0) {
-    parts.push_back(
-        fmt::format("of {} extremals that it found {} were lost on a mesh",
-                    scan.contacts.size(), lost));
+  std::string text;
+  if (!parts.empty()) {
+    text = fmt::format("the work of the search is bounded: {}",
+                       fmt::join(parts, "; "));
   }
-  if (parts.empty()) return {};
-  return fmt::format("the work of the search is bounded: {}",
-                     fmt::join(parts, "; "));
+  if (lost > 0) {
+    text +=
+        fmt::format("{}of {} extremals that it found {} were lost on a mesh",
+                    text.empty() ? "" : "; ", scan.contacts.size(), lost);
+  }
+  return text;
 }
 
 }  // namespace
@@ -108,6 +111,7 @@ ContactSearch find_contacts(const Scene& scene, double longest,
         NewtonSolver(problem, contact ? &*contact : nullptr)
             .solve(sample(scanned, problem), scanned.phi, options);
     out.newton_steps += result.iterations;
+    if (stop.met()) break;
     ++lost;
     if (result.status != Status::Solved) continue;
     ContactCandidate found{ExtremalCurve(problem, result.point), result.phi};

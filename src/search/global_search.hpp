@@ -35,7 +35,8 @@ inline constexpr int kMostContacts = 24;
 struct ContactSearch {
   std::vector<ContactCandidate> contacts;
   int newton_steps = 0;
-  /// What the search left undone because its work is bounded; empty if nothing.
+  /// What the search left undone because its work is bounded, and how many
+  /// extremals were lost on a mesh; empty if nothing.
   std::string remark;
 };
 

@@ -74,6 +74,16 @@ JudgedBranches judge_branches(const PosedScene& scene,
   JudgedBranches out;
   MeshOptions quietly = options;  // a line for each branch is enough
   quietly.progress = {};
+  std::optional<JudgedBranch> judged;  // of the candidate that is looked at
+  const auto take_judged = [&] {
+    if (judged &&
+        std::ranges::none_of(out.branches, [&](const JudgedBranch& other) {
+          return same(other.branch, judged->branch);
+        })) {
+      out.branches.push_back(*std::move(judged));
+    }
+    judged.reset();
+  };
   const auto judge_all = [&] {
     for (std::size_t i = 0; i < candidates.size() && !options.ipopt.stop.met();
          ++i) {
@@ -81,28 +91,28 @@ JudgedBranches judge_branches(const PosedScene& scene,
         options.progress("branches",
                          fmt::format("{} of {}", i + 1, candidates.size()));
       }
-      std::optional<JudgedBranch> judged;
       Certificate checks;
+      MeshOptions left = quietly;
       refine_until_resolved(
-          scene.natural, wanted, candidates[i], [&] { return quietly; },
+          scene.natural, wanted, candidates[i], [&] { return left; },
           [&](Refinement found) -> const Certificate* {
-            out.meshes.insert(out.meshes.end(), found.meshes.begin(),
-                              found.meshes.end());
+            for (const MeshRecord& mesh : found.meshes) {
+              left.ipopt.max_iterations =
+                  std::max(0, left.ipopt.max_iterations - mesh.iterations);
+              out.meshes.push_back(mesh);
+            }
             if (!found.answer) {
               out.failure = found.status;
               return nullptr;
             }
             Branch branch = judge(scene, wanted, *found.answer, checks);
             branch.principal = i == 0 && first_is_principal;
+            const bool ended = found.status == Status::IterationLimit ||
+                               options.ipopt.stop.met();
             judged.emplace(std::move(branch), std::move(found));
-            return &checks;
+            return ended ? nullptr : &checks;
           });
-      if (judged &&
-          std::ranges::none_of(out.branches, [&](const JudgedBranch& other) {
-            return same(other.branch, judged->branch);
-          })) {
-        out.branches.push_back(*std::move(judged));
-      }
+      take_judged();
     }
   };
   try {
@@ -110,6 +120,7 @@ JudgedBranches judge_branches(const PosedScene& scene,
   } catch (const Stopped&) {
     // What was judged before stays.
     if (!options.ipopt.stop.met()) throw;
+    take_judged();
   }
   std::stable_sort(out.branches.begin(), out.branches.end(),
                    [](const JudgedBranch& a, const JudgedBranch& b) {

@@ -18,6 +18,8 @@ namespace brachisto {
 /// until it is resolved between the nodes too.
 ///
 /// \param scene     in natural units
+/// \param wanted    of the first round, the tolerance a hundredth in the next
+/// \param from      on a coarse mesh
 /// \param options   of each round
 /// \param conclude  judges what a round came to; without a certificate it was
 ///                  the last one

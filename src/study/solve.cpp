@@ -264,7 +264,7 @@ void follow_given_path(const PosedProblem& posed, Solution& out) {
 
 /// All extremals of the free motion that a search finds, those that are known
 /// from the start first: what is cheap to know, the principal one, and where it
-/// is a saddle, the minima beside it. In other worlds there are no more.
+/// is a saddle, the minima beside it. In other worlds none are looked for.
 ContactSearch free_contacts(const PosedProblem& posed, const Start& principal,
                             const MeshOptions& each, Solution& out) {
   // As a multiple of the path of the uniform cylinder, or what is in its place.
@@ -287,9 +287,10 @@ ContactSearch free_contacts(const PosedProblem& posed, const Start& principal,
         [&](double length) { return sampled_mesh(posed.natural.body, length); },
         std::move(known), posed.stop(), posed.progress());
   } else {
-    search.remark = known.empty() ? "no extremal without limits is known"
-                                  : "of extremals without limits the principal "
-                                    "one alone is known in this world";
+    search.remark = known.empty()
+                        ? "no extremal without limits is known"
+                        : "in this world extremals without limits are looked "
+                          "for beside the principal one alone";
     search.contacts = std::move(known);
   }
   record(search, out);

@@ -85,7 +85,7 @@ Start start_in_offset(const PosedProblem& posed) {
   if (!start.curve && !posed.stop().met()) follow_folds(posed, start);
   if (start.curve) return start;
   const std::string slow = slow_at_end(arc);
-  // It goes back from B in the ordinary world alone.
+  // That search goes back from B in the ordinary world alone.
   const std::string search = posed.scene.world.ordinary()
                                  ? wider_search(posed.scene, posed.options)
                                  : std::string();

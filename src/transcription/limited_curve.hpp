@@ -29,7 +29,7 @@ struct LimitedPoint {
   std::vector<double> multipliers;
 };
 
-/// What a path exceeds most, and where: at the place t ∈ [0, 1] of an element.
+/// The limit that is exceeded most, and where: at t ∈ [0, 1] of an element.
 struct ExcessAt : Excess {
   int element = 0;
   double t = 0.0;
@@ -71,7 +71,7 @@ class LimitedCurve {
   /// most between them; at rest of those that do not hold from there on. The
   /// control between points is the slope of β: both polynomials agree.
   [[nodiscard]] ExcessAt excess_on(int element) const;
-  /// The largest one along the path; one that is not a number is.
+  /// The largest one along the path, not a number if any is; ≤ 0: it keeps all.
   [[nodiscard]] ExcessAt largest_excess() const;
   /// The slope at the end by transversality with the costates there [rad]; see
   /// Transcription::end_slope().

@@ -336,6 +336,10 @@ TEST(OtherWorlds, AreSearchedUnderLimits) {
   EXPECT_EQ(errors(scene + ", limits: {floor: 2}" + search), "");
   EXPECT_NE(errors(scene + search).find("without limits the search goes back"),
             std::string::npos);
+  EXPECT_NE(errors(scene + ", limits: {}" + search), "");
+  EXPECT_EQ(errors(scene + ", limits: {floor: abc}" + search)
+                .find("without limits the search"),
+            std::string::npos);
 }
 
 TEST(Consistency, FixedEndsAreSearchedToo) {

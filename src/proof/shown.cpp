@@ -5,6 +5,7 @@
 
 #include <flint/flint.h>
 
+#include <cmath>
 #include <optional>
 
 #include "brachisto/version.hpp"
@@ -163,9 +164,13 @@ Shown shown_of(const ArcSystem& system, const Root& root,
 Json document(const Scene& scene, const Accuracy& accuracy,
               const Shown& shown) {
   Json unknowns;
+  // What vanishes is found to any number of digits, but not by a check.
+  constexpr int kSpareBits = 20;
+  const Real rounding(std::ldexp(1.0, kSpareBits - accuracy.bits));
   for (std::size_t i = 0; i < shown.names.size(); ++i) {
-    unknowns[shown.names[i]] = {{"searched", shown.searched[i].exact()},
-                                {"found", shown.found[i].exact()}};
+    unknowns[shown.names[i]] = {
+        {"searched", shown.searched[i].exact()},
+        {"found", shown.found[i].widened(rounding).exact()}};
   }
   Json enclosures;
   for (const auto& [name, number] : kEnclosures) {

@@ -119,7 +119,7 @@ bool DiscreteVariations::residual(std::span<const double> unknowns,
                                   std::span<double> residual) const {
   const int n = num_nodes_;
   const Unknowns u{n, unknowns};
-  const Rows row{n};
+  const EquationRows row{n};
   const double r = contact_radius(scene_);
   const EndSlope start(reading_.slopes, u.dx(0), u.dz(0));
   const EndSlope end(reading_.slopes, u.dx(n - 2), u.dz(n - 2));

@@ -28,7 +28,7 @@ struct Columns {
 };
 
 /// Rows: equations of DiscreteVariations.
-struct Rows {
+struct EquationRows {
   int n;
   [[nodiscard]] int start_x() const { return 0; }                   // (13)
   [[nodiscard]] int chord(int i) const { return i + 1; }            // (14)
@@ -78,7 +78,7 @@ void for_conditions(const DiscreteVariations& system,
                     std::span<const double> unknowns, Put&& put) {
   const int n = system.num_nodes();
   const Unknowns u{n, unknowns};
-  const Rows row{n};
+  const EquationRows row{n};
   const Columns column{n};
   const double r = contact_radius(system.scene());
   const auto end = [&](int chord, int node, int x_row, int z_row) {

@@ -104,8 +104,8 @@ bool DenseNewtonStep::operator()(std::span<const double> unknowns,
   const ChordJets jets(system_, unknowns);
   Column column(system_, jets);
   for (int unknown = 0; unknown < 2 * n; ++unknown) {
-    column.differentiate(unknown,
-                         J.col(unknown).segment(Rows{n}.variation(1), n - 2));
+    column.differentiate(
+        unknown, J.col(unknown).segment(EquationRows{n}.variation(1), n - 2));
   }
   if (!J.allFinite()) return false;
   const Eigen::Map<const Eigen::VectorXd> F(residual.data(), size);
@@ -137,7 +137,7 @@ template <class Put>
 void for_entries(const DiscreteVariations& system,
                  std::span<const double> unknowns, Put&& put) {
   const int n = system.num_nodes();
-  const Rows row{n};
+  const EquationRows row{n};
   const Columns column{n};
   const Lifted lifted{n};
   const bool release =
@@ -179,7 +179,7 @@ void for_entries(const DiscreteVariations& system,
 
 /// Node by node; z_1 and S, which occur everywhere, come last.
 nlp::EliminationOrder order(int n) {
-  const Rows row{n};
+  const EquationRows row{n};
   const Columns column{n};
   const Lifted lifted{n};
   nlp::EliminationOrder out;

@@ -139,10 +139,10 @@ class TableSheets {
 };
 
 /// The pieces as they hang, as large as there is room.
-class Picture {
+class AssemblyPicture {
  public:
-  Picture(const Edge& edge, const std::vector<Piece>& pieces,
-          const SheetFrame& frame)
+  AssemblyPicture(const Edge& edge, const std::vector<Piece>& pieces,
+                  const SheetFrame& frame)
       : edge_(edge), room_(frame.room()) {
     Box box = box_of(outline(edge, 0.0, edge.length(), 0.0, edge.strip()));
     // Words stand around it.
@@ -243,7 +243,7 @@ std::vector<Drawing> assembly(const Edge& edge,
                               const std::vector<int>& sheet_of,
                               const std::vector<DisplacedStretch>& stretches,
                               const Build& build, const SheetFrame& frame) {
-  Picture picture(edge, pieces, frame);
+  AssemblyPicture picture(edge, pieces, frame);
   if (!stretches.empty()) {
     picture.add_dearest(*std::ranges::max_element(
         stretches, {}, [](const DisplacedStretch& stretch) {

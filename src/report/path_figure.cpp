@@ -111,9 +111,9 @@ std::string keys_as_they_are(const std::string& reason) {
 }
 
 /// The picture being put together.
-class Picture {
+class PathPicture {
  public:
-  explicit Picture(const Solution& solution)
+  explicit PathPicture(const Solution& solution)
       : solution_(solution),
         motion_(*solution.motion()),
         scene_(solution.scene),
@@ -424,7 +424,7 @@ class Picture {
 }  // namespace
 
 Figure path_figure(const Solution& solution) {
-  return Picture(solution).figure();
+  return PathPicture(solution).figure();
 }
 
 }  // namespace brachisto::report

@@ -31,11 +31,11 @@ constexpr Layout kLayout{.left = 80.0,
 
 /// A picture of scenes over two columns being put together. In its commands
 /// `at(s)` is the place to the right of a scene in state s, else NaN.
-class Picture {
+class MapPicture {
  public:
   Canvas canvas;
 
-  Picture(const SweepTable& table, const SweepMap& map, std::string what)
+  MapPicture(const SweepTable& table, const SweepMap& map, std::string what)
       : table_(table), map_(map), digest_(digest(table, map.scenes)) {
     x_ = map.first;
     y_ = map.second;
@@ -225,7 +225,7 @@ std::string interpolation(const SweepMap& map) {
 
 /// A line around what is infeasible, at half between scenes. gnuplot writes
 /// contours without commas.
-void edge(Picture& picture) {
+void edge(MapPicture& picture) {
   const SweepDigest& found = picture.found();
   if (found.infeasible == 0 || found.infeasible == found.verified) return;
   picture.canvas.put(
@@ -251,7 +251,7 @@ Figure map_figure(const SweepTable& table, const SweepMap& map,
                   ValueRange range) {
   constexpr std::string_view kTau =
       "data using (column(right)):(column(up)):(column('tau'))";
-  Picture picture(table, map, "τ");
+  MapPicture picture(table, map, "τ");
   picture.canvas.put("{}{}set palette defined ({})\n", kView,
                      interpolation(map), palette());
   const bool any = picture.found().verified > 0;
@@ -278,7 +278,7 @@ Figure map_figure(const SweepTable& table, const SweepMap& map,
 }
 
 Figure feasibility_figure(const SweepTable& table, const SweepMap& map) {
-  Picture picture(table, map, "Feasibility");
+  MapPicture picture(table, map, "Feasibility");
   const SweepDigest& found = picture.found();
   picture.canvas.put(
       "{}{}set palette defined (0 '#68788a', 1 '#e3e8ee') maxcolors 2\n", kView,
@@ -303,7 +303,7 @@ Figure feasibility_figure(const SweepTable& table, const SweepMap& map) {
 
 Figure scatter_figure(const SweepTable& table, const SweepMap& sample,
                       ValueRange range) {
-  Picture picture(table, sample, "τ");
+  MapPicture picture(table, sample, "τ");
   picture.canvas.put("set palette defined ({})\n", palette());
   const bool any = picture.found().verified > 0;
   if (any) {

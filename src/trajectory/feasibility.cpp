@@ -25,7 +25,7 @@ bool falls_short(double value, double error) {
   return error > 0.0 ? !(value >= -error) : !(value > 0.0);
 }
 
-std::string place(const Extreme& extreme) {
+std::string place_text(const Extreme& extreme) {
   return extreme.at_start ? "at the start"
                           : fmt::format("at x_b = {:.4g}", extreme.x);
 }
@@ -53,7 +53,7 @@ std::vector<std::string> infeasible_because(const Scene& scene,
       reasons.push_back(fmt::format(
           "the body would lift off{} = {:.4g} m g {}{}",
           at_once ? " at the start, least R_n" : ": R_n", force.value,
-          place(force),
+          place_text(force),
           scene.limits.any()
               ? "; normal_force: {min: 0} under scene.limits would forbid it"
               : ""));
@@ -66,7 +66,7 @@ std::vector<std::string> infeasible_because(const Scene& scene,
     reasons.push_back(
         margin.at_start ? "the track folds at the start, β′ > 0"
                         : fmt::format("the track folds: 1 − r κ_c = {:.4g} {}",
-                                      margin.value, place(margin)));
+                                      margin.value, place_text(margin)));
   }
   if (path.self_crossing) {
     reasons.push_back(
@@ -84,7 +84,7 @@ std::vector<std::string> undecided_because(const Scene& scene,
     if (!(error > 0.0) || !(std::abs(least.value) <= error)) return;
     reasons.push_back(
         fmt::format("{} = {:.2g}{} {}, and the error of this mesh is {:.1g}{}",
-                    what, least.value, unit, place(least), error, unit));
+                    what, least.value, unit, place_text(least), error, unit));
   };
   // Where arcs are known, and elements as short as they need be, limits are
   // kept between points as well as at them.
@@ -94,7 +94,7 @@ std::vector<std::string> undecided_because(const Scene& scene,
     if (least.value >= bound - kKept) return;
     reasons.push_back(fmt::format(
         "{} is {:.2g}{} below its bound {} {}, between points of this mesh",
-        what, bound - least.value, unit, bound, place(least)));
+        what, bound - least.value, unit, bound, place_text(least)));
   };
   const PathLimits& limits = scene.limits;
   if (forbid_lift_off(limits)) {

@@ -124,10 +124,10 @@ int code_of(const std::string& command) {
 
 TEST(CommandLine, TellsThatHelpAndVersionAreLostOnAFullDisk) {
   for (const char* words : {"--help", "--version", "solve --help"}) {
-    EXPECT_EQ(code_of(std::string(BRACHISTO_APP) + " " + words +
-                      " > /dev/full 2> /dev/null"),
-              6)
-        << words;
+    const auto command = std::string(BRACHISTO_APP " ")
+                             .append(words)
+                             .append(" > /dev/full 2> /dev/null");
+    EXPECT_EQ(code_of(command), 6) << words;
   }
 }
 

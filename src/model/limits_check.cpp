@@ -92,8 +92,9 @@ void check_body(const Scene& scene, SceneChecker& check) {
   }
 }
 
-/// Without an offset R_t = −k/(1 + k) sin β: no slip while
-/// sin β ≤ M R_n with M = μ (1 + k)/k = tan β*, R_n = cos β − v_c² κ_c/g, or
+/// Without an offset R_t = −(k sin β + c R_n)/(1 + k), c of what rolling loses:
+/// no slip while sin β ≤ M R_n with M = (μ (1 + k) − c)/k = tan β*,
+/// R_n = cos β − v_c² κ_c/g, or
 ///
 ///     (v_c²/g) dβ/ds ≤ cos β − sin β/M = sin(β* − β)/sin β*.
 ///
@@ -104,22 +105,25 @@ void check_body(const Scene& scene, SceneChecker& check) {
 ///
 ///     Δz − M Δx = H − M L + r (1 − cos(φ − β*))/cos β* ≥ H − M L.
 ///
-/// Either way H ≤ M L. Of a ball it is μ R/r_e that stands for μ.
+/// Either way H ≤ M L; with M ≤ 0 no slope leads down. Of a ball it is μ R/r_e
+/// that stands for μ, and c R/r_e for c.
 void check_grade(const Scene& scene, SceneChecker& check) {
   const double k = scene.body.k;
+  const double lost = scene.world.losses.factor(scene.body);
   const double least =
-      k / (1.0 + k) * (scene.H / scene.L) / scene.body.wall_ratio;
+      (k * (scene.H / scene.L) + lost) / (1.0 + k) / scene.body.wall_ratio;
   const double mu = *scene.limits.friction;
   if (mu >= least * (1.0 - kBoundSlack)) return;
   check.add(
       kFriction,
-      fmt::format(
-          "{} is not allowed: it must be at least (k/(1 + k)) H/L = {}, for "
-          "the slope of a track on which the body does not slip "
-          "never exceeds arctan(μ (1 + k)/k), and B lies "
-          "deeper{}",
-          mu, least,
-          scene.body.ball ? "; of a ball k_e, and μ R/r_e for μ" : ""));
+      fmt::format("{} is not allowed: it must be at least {} = {}, for "
+                  "the slope of a track on which the body does not slip "
+                  "never exceeds arctan({}), and B lies deeper{}",
+                  mu, lost > 0.0 ? "(k H/L + c)/(1 + k)" : "(k/(1 + k)) H/L",
+                  least, lost > 0.0 ? "(μ (1 + k) − c)/k" : "μ (1 + k)/k",
+                  !scene.body.ball ? ""
+                  : lost > 0.0     ? "; of a ball k_e, and μ and c times R/r_e"
+                                   : "; of a ball k_e, and μ R/r_e for μ"));
 }
 
 /// Forces at rest, which depend on the direction of the start alone.
@@ -138,7 +142,10 @@ void check_start(const Scene& scene, SceneChecker& check) {
     }
     // Where it begins to hold, in a field that pulls down and without a drag
     // that helps to hold the body.
-    if (limits.friction && scene.world.ordinary()) check_grade(scene, check);
+    const World& world = scene.world;
+    const bool falls =
+        !world.field_varies() && !world.air.any() && world.start_speed == 0.0;
+    if (limits.friction && falls) check_grade(scene, check);
     // Losses hold a body on flat slopes.
     if (!scene.world.losses.any() || !check.sound()) return;
   }

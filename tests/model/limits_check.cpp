@@ -13,6 +13,7 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/numbers.hpp"
@@ -306,11 +307,14 @@ INSTANTIATE_TEST_SUITE_P(
     name_of);
 
 // On an incline of slope β a body of moment k needs the friction
-// k/(1 + k) tan β, the third of tan β for a solid cylinder.
+// k/(1 + k) tan β, the third of tan β for a solid cylinder; with the moment
+// c r R_n against its rotation c/(1 + k) more.
 TEST(LimitsOfFriction, HaveToCarryABodyWithoutOffsetToB) {
-  for (const double k : {0.25, 0.5, 1.0}) {
+  for (const auto& [k, c] : {std::pair(0.25, 0.0), std::pair(0.5, 0.0),
+                             std::pair(1.0, 0.0), std::pair(0.5, 0.03)}) {
     Scene scene = scene_of(Body::cylinder(0.2, 0.0, 0.0, k));
-    const double incline = k / (1.0 + k) * scene.H / scene.L;
+    scene.world.losses.rolling = c;
+    const double incline = (k * scene.H / scene.L + c) / (1.0 + k);
     for (const Contact contact : {Contact::Smooth, Contact::Centre}) {
       scene.contact = contact;
       scene.limits.friction = incline;
@@ -319,7 +323,8 @@ TEST(LimitsOfFriction, HaveToCarryABodyWithoutOffsetToB) {
       const auto errors = validate(scene);
       ASSERT_EQ(errors.size(), 1U) << k;
       EXPECT_EQ(errors[0].key, "scene.limits.friction");
-      EXPECT_THAT(errors[0].message, HasSubstr("(k/(1 + k)) H/L"));
+      EXPECT_THAT(errors[0].message, HasSubstr(c > 0.0 ? "(k H/L + c)/(1 + k)"
+                                                       : "(k/(1 + k)) H/L"));
     }
   }
 }

@@ -119,6 +119,53 @@ void part_from_place(const LimitedTime& problem,
   }
 }
 
+/// Where a limit of the place lets go of an arc its multiplier oscillates, as
+/// polynomials do that cannot follow what they stand for. Where the arc is let
+/// go of more than once, stretches that are left of it beside those, and are
+/// not much longer, are no arcs of their own.
+void let_go_at_once(const LimitedTime& problem,
+                    const std::vector<std::vector<Held>>& before,
+                    std::vector<Sighting>& seen) {
+  constexpr double kBetween = 3.0, kAtEnd = 2.0;
+  enum class Now { Held, Free, Other };
+  struct Stretch {
+    std::size_t first, end;
+    Now now;
+    [[nodiscard]] double places() const {
+      return now == Now::Free ? static_cast<double>(end - first) : 0.0;
+    }
+  };
+  const auto now = [&](std::size_t i) {
+    return is_free(seen[i].held)       ? Now::Free
+           : seen[i].held == before[i] ? Now::Held
+                                       : Now::Other;
+  };
+  for (std::size_t begin = 0, end = 0; begin < seen.size(); begin = end) {
+    std::vector<Stretch> arc;
+    for (; end < seen.size() && before[end] == before[begin]; ++end) {
+      if (arc.empty() || arc.back().now != now(end)) {
+        arc.push_back({end, end, now(end)});
+      }
+      arc.back().end = end + 1;
+    }
+    const auto times_free = std::ranges::count(arc, Now::Free, &Stretch::now);
+    if (held_of_place(before[begin], problem.limits()) < 0 || times_free < 2) {
+      continue;
+    }
+    for (std::size_t k = 0; k < arc.size(); ++k) {
+      if (arc[k].now != Now::Held) continue;
+      const double ahead = k > 0 ? arc[k - 1].places() : 0.0;
+      const double behind = k + 1 < arc.size() ? arc[k + 1].places() : 0.0;
+      const double most = ahead > 0.0 && behind > 0.0 ? kBetween : kAtEnd;
+      const auto places = static_cast<double>(arc[k].end - arc[k].first);
+      if (places > most * std::max(ahead, behind)) continue;
+      for (std::size_t i = arc[k].first; i < arc[k].end; ++i) {
+        std::ranges::fill(seen[i].held, Held::No);
+      }
+    }
+  }
+}
+
 /// What holds at the places of a solution, as its inequalities would have it.
 class Correction {
  public:
@@ -142,6 +189,7 @@ class Correction {
     }
     if (!changed_) return std::nullopt;
     const LimitedTime& problem = curve_.problem();
+    let_go_at_once(problem, before_, seen_);
     touch_once(seen_, problem.limits());
     if (takeover_ == Takeover::LedBack) {
       part_from_place(problem, before_, seen_);

@@ -63,9 +63,7 @@ class LimitedSolve {
         protocol_.stop.met()) {
       return finished();
     }
-    if (ways_->mesh()) {
-      answer_ = answer_without_arcs(*ways_->mesh(), protocol_);
-    } else {
+    if (!ways_->mesh()) {
       if (protocol_.worked_enough()) {
         protocol_.tries("until its share of work was used up");
         // That of an empty set takes all of it; the proof takes none.
@@ -74,6 +72,11 @@ class LimitedSolve {
         }
       }
       if (protocol_.status != Status::NoAdmissiblePath) come_from_random();
+      if (!answer_ && ways_->mesh_wants_work()) go_on_without_arcs();
+    }
+    if (protocol_.status == Status::NoFastestTrack) return finished();
+    if (!answer_ && ways_->mesh()) {
+      answer_ = answer_without_arcs(*ways_->mesh(), protocol_);
     }
     if (!answer_) {
       protocol_.most_work = protocol_.work + kSearchLooser * most_work_;
@@ -136,6 +139,18 @@ class LimitedSolve {
     return curve != nullptr && !surface_passages(*curve).empty();
   }
 
+  /// On finer meshes, with work of its own: a path keeps the limits on the
+  /// coarse one.
+  void go_on_without_arcs() {
+    const Status status = protocol_.status;
+    const std::string message = protocol_.message;
+    // Looser limits need iterations too.
+    const PassProtocol::Share part(protocol_, 0.5);
+    protocol_.most_work = protocol_.work + kSearchOnMesh * most_work_;
+    refine(ways_->from_mesh_again());
+    if (answer_ || protocol_.status == Status::NoFastestTrack) return;
+    protocol_.fail(status, message);
+  }
   /// Under the limits asked for, from paths that owe nothing to the free one.
   void come_from_random() {
     constexpr int kStarts = 6;

@@ -26,9 +26,11 @@ namespace brachisto {
 }
 /// The shares of it, each from where its way begins: under the limits asked
 /// for, from what the free path leads to, beside what a rough try takes; for
-/// random starts, and for what they lead to; under looser limits.
+/// random starts, and for what they lead to; for meshes that know no arcs,
+/// where the first share left them too little; under looser limits.
 inline constexpr double kSearchAsAsked = 0.52, kSearchCold = 0.12,
-                        kSearchFromCold = 0.15, kSearchLooser = 0.4;
+                        kSearchFromCold = 0.15, kSearchOnMesh = 0.4,
+                        kSearchLooser = 0.4;
 /// The share that certifying a looser path has at the least, should the search
 /// have gone beyond its own.
 inline constexpr double kCertifyLooser = 0.1;
@@ -71,7 +73,8 @@ struct LimitedRefinement : RefinementProtocol {
 /// - Random paths: if no way from the free path leads anywhere, cold_paths().
 /// - Without arcs: if none fit, the program itself is solved on finer and finer
 ///   meshes, and arcs are read off again. Where these do not fit either that
-///   mesh is the answer, which knows no arcs (solve_without_arcs()).
+///   mesh is the answer, which knows no arcs (solve_without_arcs()). If what
+///   was tried before left too little work for that, it comes once more, last.
 /// - Accuracy: with the arcs known the path is as smooth on each as that of a
 ///   free extremal. Arcs get more elements until degree p + 1 on the same ones,
 ///   by which the error is estimated, changes T by no more than is wanted.

@@ -182,12 +182,16 @@ std::optional<FittedPath> LimitedWays::follow_from_loosest() {
 }
 
 std::optional<FittedPath> LimitedWays::from_mesh() {
-  const bool tried = std::exchange(tried_mesh_, true);
-  if (tried || !tightening_.tight() || wanted_.fixed()) return {};
+  if (std::exchange(tried_mesh_, true)) return {};
+  return from_mesh_again();
+}
+std::optional<FittedPath> LimitedWays::from_mesh_again() {
+  if (!tightening_.tight() || wanted_.fixed()) return {};
   protocol_.tries("on meshes that know no arcs");
   FromMesh found = without_its_arcs(*tightening_.tight(), wanted_,
                                     options_.ipopt, arcs_, protocol_);
   mesh_ = std::move(found.mesh);
+  mesh_wants_work_ = !found.path && !mesh_ && protocol_.worked_enough();
   return std::move(found.path);
 }
 

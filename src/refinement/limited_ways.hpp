@@ -45,6 +45,13 @@ class LimitedWays {
 
   /// On meshes that know no arcs; arcs are read off where one is finest. Once.
   [[nodiscard]] std::optional<FittedPath> from_mesh();
+  /// The same with other work.
+  [[nodiscard]] std::optional<FittedPath> from_mesh_again();
+  /// Whether there is a path for it, and too little work was left.
+  [[nodiscard]] bool mesh_wants_work() const {
+    return tightening_.tight() && !wanted_.fixed() &&
+           (!tried_mesh_ || mesh_wants_work_);
+  }
 
   [[nodiscard]] Tightening& tightening() { return tightening_; }
   [[nodiscard]] const Tightening& tightening() const { return tightening_; }
@@ -93,7 +100,7 @@ class LimitedWays {
   ArcSearch arcs_{protocol_, options_};
   Tightening tightening_;
   std::optional<PathWithoutArcs> mesh_;
-  bool tried_mesh_ = false;
+  bool tried_mesh_ = false, mesh_wants_work_ = false;
   double reached_ = 0.0;  ///< share of the way from the loosest limits
 };
 

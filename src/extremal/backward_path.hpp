@@ -14,9 +14,9 @@
 
 namespace brachisto {
 
-/// How a body arrives at B. An extremal is known by it: the centre ends at B, or
-/// where φ places it; there β = φ, the energy gives w, p_θ = p_w = 0, and
-/// 𝓗 = ∂𝓗/∂β = 0 leave
+/// How a body arrives at B. An extremal is known by it: the centre ends at B,
+/// or where φ places it; there β = φ, the energy gives w, p_θ and p_w are 0,
+/// and 𝓗 = ∂𝓗/∂β = 0 leave
 ///
 ///     w (p_x cos φ + p_z sin φ) = −√A,
 ///     w (p_z cos φ − p_x sin φ) = −η cos(θ − φ)/√A.

@@ -49,6 +49,7 @@ class WithinLimits {
   /// limits by more than is allowed of a path.
   [[nodiscard]] std::optional<FittedPath> lead(FittedPath path, int degree) {
     constexpr int kMostMeshes = 7;
+    constexpr double kFallsAtAll = 0.7;
     std::optional<double> before;  // exceeded on longer elements
     for (int i = 0; i < kMostMeshes && !as_close_as_found_; ++i) {
       const ExcessAt worst = path.curve.largest_excess();
@@ -57,38 +58,31 @@ class WithinLimits {
           path.curve.problem().mesh().num_elements() > kManyElements) {
         break;
       }
-      // That of polynomials falls by far more, except next to rest; of a limit
-      // that holds already all is theirs. Corrections see what is larger.
-      constexpr double kFalls = 0.25, kLargest = 10.0 * kExceeded;
-      constexpr double kFallsAtAll = 0.7;
-      const bool slow = before && now > kFalls * *before;
-      const bool of_path = slow && now <= kLargest && corrections_ > 0 &&
-                           !holds(path.curve, worst);
-      std::vector<Arc> arcs = path.arcs;
-      if (of_path) {
+      if (before && is_of_path(path.curve, worst, *before)) {
         allowed_ = exceeded_ = kAllowedOfPath;
         if (now <= allowed_) break;
-      } else {
-        as_close_as_found_ =
-            corrections_ == 0 && before && now > kFallsAtAll * *before;
-        if (as_close_as_found_ ||
-            !divide_for_limits(path.curve, allowed_, arcs)) {
-          break;
-        }
+        auto held = fitted(path, path.arcs, degree);
+        corrections_ = held ? corrections_ - 1 : 0;
+        // Elements are as long as before where no arc was found.
+        before = held ? std::optional(now) : std::nullopt;
+        if (held) path = *std::move(held);
+        continue;
       }
-      auto next = search_.fit_corrected(
-          path.curve,
-          {path.curve.problem().limits(), std::move(arcs), path.ends}, degree,
-          exceeded_);
-      if (of_path) {
-        corrections_ = next ? corrections_ - 1 : 0;
-      } else if (!next) {
+      as_close_as_found_ =
+          corrections_ == 0 && before && now > kFallsAtAll * *before;
+      std::vector<Arc> arcs = path.arcs;
+      if (as_close_as_found_ ||
+          !divide_for_limits(path.curve, allowed_, arcs)) {
+        break;
+      }
+      auto shorter = fitted(path, std::move(arcs), degree);
+      if (!shorter) {
         if (now > kAllowedOfPath) return std::nullopt;
         as_close_as_found_ = true;
+        break;
       }
-      // Elements are as long as before where no arc was found.
-      before = next || !of_path ? std::optional(now) : std::nullopt;
-      if (next) path = *std::move(next);
+      before = now;
+      path = *std::move(shorter);
     }
     return path;
   }
@@ -105,6 +99,25 @@ class WithinLimits {
   [[nodiscard]] double exceeded() const { return exceeded_; }
 
  private:
+  /// Whether an excess is the path's own, to be held by an arc. That of
+  /// polynomials falls by far more, except next to rest; of a limit that holds
+  /// already all is theirs. Corrections see what is larger.
+  ///
+  /// \param before  on longer elements
+  [[nodiscard]] bool is_of_path(const LimitedCurve& curve,
+                                const ExcessAt& worst, double before) const {
+    constexpr double kFalls = 0.25, kLargest = 10.0 * kExceeded;
+    return worst.value > kFalls * before && worst.value <= kLargest &&
+           corrections_ > 0 && !holds(curve, worst);
+  }
+  [[nodiscard]] std::optional<FittedPath> fitted(const FittedPath& from,
+                                                 std::vector<Arc> arcs,
+                                                 int degree) {
+    return search_.fit_corrected(
+        from.curve, {from.curve.problem().limits(), std::move(arcs), from.ends},
+        degree, exceeded_);
+  }
+
   ArcSearch& search_;
   double allowed_ = kAllowedExcess, exceeded_ = kExceeded;
   int corrections_ = 2;  ///< left to hold what the path exceeds

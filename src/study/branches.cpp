@@ -21,12 +21,16 @@ namespace brachisto {
 
 namespace {
 
-Branch judge(const PosedScene& scene, const Discretisation& wanted,
-             MeshAnswer& answer, Certificate& checks) {
+/// \pre an answer was found
+JudgedBranch judge(const PosedScene& scene, const Discretisation& wanted,
+                   Refinement found) {
+  MeshAnswer& answer = *found.answer;
   const Trajectory trajectory(answer.curve(), scene.scene, scene.units);
-  checks = certify_answer(answer, trajectory.curve(), wanted);
-  return branch_of(trajectory, answer.estimated_error, checks,
-                   infeasible_because(scene.scene, trajectory.diagnose()));
+  Certificate checks = certify_answer(answer, trajectory.curve(), wanted);
+  Branch branch =
+      branch_of(trajectory, answer.estimated_error, checks,
+                infeasible_because(scene.scene, trajectory.diagnose()));
+  return {std::move(branch), std::move(found), std::move(checks)};
 }
 
 }  // namespace
@@ -91,7 +95,6 @@ JudgedBranches judge_branches(const PosedScene& scene,
         options.progress("branches",
                          fmt::format("{} of {}", i + 1, candidates.size()));
       }
-      Certificate checks;
       MeshOptions left = quietly;
       refine_until_resolved(
           scene.natural, wanted, candidates[i], [&] { return left; },
@@ -105,12 +108,12 @@ JudgedBranches judge_branches(const PosedScene& scene,
               out.failure = found.status;
               return nullptr;
             }
-            Branch branch = judge(scene, wanted, *found.answer, checks);
-            branch.principal = i == 0 && first_is_principal;
-            const bool ended = found.status == Status::IterationLimit ||
-                               options.ipopt.stop.met();
-            judged.emplace(std::move(branch), std::move(found));
-            return ended ? nullptr : &checks;
+            judged = judge(scene, wanted, std::move(found));
+            judged->branch.principal = i == 0 && first_is_principal;
+            const bool ended =
+                judged->refinement.status == Status::IterationLimit ||
+                options.ipopt.stop.met();
+            return ended ? nullptr : &judged->checks;
           });
       take_judged();
     }

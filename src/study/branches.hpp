@@ -19,10 +19,11 @@
 
 namespace brachisto {
 
-/// A branch and the refinement it was judged by.
+/// A branch, and the refinement and the checks it was judged by.
 struct JudgedBranch {
   Branch branch;
   Refinement refinement;
+  Certificate checks;
 };
 
 /// Outcome of judge_branches().

@@ -231,22 +231,25 @@ TurningPoint<double> LimitedCurve::state_at(int element, double t) const {
   std::array<double, kLargestDegree + 1> basis;
   const std::span<double> of_nodes(basis.data(), brachisto::at(p + 1));
   scheme.nodes.evaluate(t, of_nodes);
-  const auto state = [&](StateComponent component) {
-    double sum = 0.0;
-    for (int n = 0; n <= p; ++n) {
-      sum += of_nodes[brachisto::at(n)] *
-             point_->x[brachisto::at(layout.state(first + n, component))];
-    }
-    return sum;
-  };
-  TurningPoint<double> out{state(X), state(Z), 0.0, state(W), state(Beta), 0.0};
-  if (layout.has_theta()) out.theta = state(Theta);
+  TurningPoint<double> out{0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+  for (int n = 0; n <= p; ++n) {
+    const double share = of_nodes[brachisto::at(n)];
+    const auto add = [&](StateComponent component, double& sum) {
+      sum +=
+          share * point_->x[brachisto::at(layout.state(first + n, component))];
+    };
+    add(X, out.x);
+    add(Z, out.z);
+    add(W, out.w);
+    add(Beta, out.beta);
+    if (layout.has_theta()) add(Theta, out.theta);
+  }
   const std::span<double> of_points(basis.data(), brachisto::at(p));
   scheme.points.evaluate(t, of_points);
+  const double length = problem_->mesh().length(element);
   for (int j = 0; j < p; ++j) {
     out.q += of_points[brachisto::at(j)] *
-             point_->x[brachisto::at(layout.control(first + j))] /
-             problem_->mesh().length(element);
+             point_->x[brachisto::at(layout.control(first + j))] / length;
   }
   return out;
 }

@@ -107,9 +107,13 @@ void check_body(const Scene& scene, SceneChecker& check) {
 ///
 /// Either way H ≤ M L; with M ≤ 0 no slope leads down. Of a ball it is μ R/r_e
 /// that stands for μ, and c R/r_e for c.
+///
+/// Asked in the uniform field, without a drag that helps to hold the body.
 void check_grade(const Scene& scene, SceneChecker& check) {
+  const World& world = scene.world;
+  if (!scene.limits.friction || world.field_varies() || world.air.any()) return;
   const double k = scene.body.k;
-  const double lost = scene.world.losses.factor(scene.body);
+  const double lost = world.losses.factor(scene.body);
   const double least =
       (k * (scene.H / scene.L) + lost) / (1.0 + k) / scene.body.wall_ratio;
   const double mu = *scene.limits.friction;
@@ -140,14 +144,9 @@ void check_start(const Scene& scene, SceneChecker& check) {
                     "from rest on a slope, where R_n = cos β < 1",
                     *limits.normal_min));
     }
-    // Where it begins to hold, in a field that pulls down and without a drag
-    // that helps to hold the body.
-    const World& world = scene.world;
-    const bool falls =
-        !world.field_varies() && !world.air.any() && world.start_speed == 0.0;
-    if (limits.friction && falls) check_grade(scene, check);
     // Losses hold a body on flat slopes.
-    if (!scene.world.losses.any() || !check.sound()) return;
+    if (!scene.world.losses.any()) return check_grade(scene, check);
+    if (!check.sound()) return;
   }
   const auto starts = [&](bool under_friction, bool under_force) {
     PathLimits some;
@@ -162,7 +161,10 @@ void check_start(const Scene& scene, SceneChecker& check) {
       "{} is not allowed{}: whatever the slope of the track at A, the body "
       "would "
       "{} at rest, or not start";
-  if (starts(true, true)) return;
+  if (starts(true, true)) {
+    if (!body.off_centred()) check_grade(scene, check);
+    return;
+  }
   if (!starts(false, true)) {
     check.add(kLeastForce, fmt::format(kNoDirection, *limits.normal_min, "",
                                        "press less on it"));

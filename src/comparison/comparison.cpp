@@ -10,7 +10,6 @@
 #include <variant>
 
 #include "comparison/methods.hpp"
-#include "io/input_tree.hpp"
 #include "study/pose.hpp"
 
 namespace brachisto::comparison {
@@ -62,10 +61,6 @@ std::vector<Contender> contenders(const Subject& subject, int nodes,
 
 Subject read_subject(const std::string& file,
                      const std::vector<std::string>& overrides) {
-  if (file == io::kStandardInput) {
-    throw io::IoError(
-        "-: every method reads the problem anew; expected the name of a file");
-  }
   Subject subject{file, overrides, io::read_problem_file(file, overrides)};
   if (subject.problem.scene.path) {
     throw io::InputError(

@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "brachisto/report/result.hpp"
+#include "io/input_tree.hpp"
 #include "math/enum_table.hpp"
 #include "plot/result_values.hpp"
 #include "process/child_process.hpp"
@@ -111,6 +112,11 @@ Measurement parse_measurement(const std::string& line) {
 
 Measurement measure(const Experiment& experiment,
                     const std::atomic<int>* interrupt) {
+  if (experiment.file == io::kStandardInput) {
+    throw io::IoError(
+        "-: a process for each solve reads the problem anew; expected the name "
+        "of a file");
+  }
   std::vector<std::string> arguments{"measure", experiment.file, "--json"};
   for (const std::string& change : experiment.overrides) {
     arguments.insert(arguments.end(), {"--set", change});

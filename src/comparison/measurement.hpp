@@ -66,7 +66,7 @@ struct Measurement {
 [[nodiscard]] const char* name(Measurement::Outcome outcome);
 
 /// Runs `PROGRAM measure`, which is this program.
-/// \throws Interrupted, std::system_error
+/// \throws Interrupted, io::IoError of standard input, std::system_error
 [[nodiscard]] Measurement measure(const Experiment& experiment,
                                   const std::atomic<int>* interrupt);
 

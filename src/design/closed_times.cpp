@@ -32,6 +32,9 @@ SolveOptions of_inner_solves(SolveOptions options, const Scene& scene) {
   if (options.of<Collocation>() != nullptr && !is_limited(scene)) {
     options.use<Collocation>().solver = ProgramSolver::NewtonKkt;
     options.use<Collocation>().certify = Certify::None;
+    // Newton's method goes nowhere from elsewhere; the last body is solved
+    // anew.
+    options.use<Collocation>().guess = Guess::Cycloid;
     options.use<Collocation>().in_lanes = true;
   }
   return options;

@@ -49,17 +49,10 @@ std::string described(const KeySpec& spec) {
 namespace {
 
 std::string default_text(const KeySpec& spec) {
-  switch (spec.presence) {
-    case Presence::Required:
-      return "required";
-    case Presence::RequiredOfCylinder:
-      return "required (what rolls)";
-    case Presence::OptionalOfCylinder:
-      return fmt::format("{} (what rolls)", spec.fallback);
-    case Presence::Optional:
-      break;
-  }
-  return spec.fallback.empty() ? "—" : std::string(spec.fallback);
+  return (spec.is_required()      ? "required"
+          : spec.fallback.empty() ? "—"
+                                  : std::string(spec.fallback)) +
+         (spec.of_cylinder() ? " (what rolls)" : "");
 }
 
 std::string allowed_text(const KeySpec& spec) {

@@ -522,7 +522,8 @@ Keys discretisation_keys() {
        shared<kMesh, &Discretisation::tolerance, kShooting,
               &Shooting::tolerance>(),
        "wanted relative error of the transit time; the mesh follows unless it "
-       "is fixed. arc_length: 1e-9 or more, 1e-6 if absent",
+       "is fixed. arc_length: 1e-9 or more, 1e-6 if absent. If absent, 1e-2 is "
+       "enough on a fixed mesh, 1e-4 under limits where arcs are not found",
        {.fallback = "1e-10",
         .bounds = "from 1e-13 to 1e-1",
         .interval = {kSmallestTolerance, kLargestTolerance}}},
@@ -610,7 +611,9 @@ Keys solver_keys() {
        "of the random guess", within(0, kMaxInt)},
       {"solver.limits", map(), "bounds on the work"},
       {"solver.limits.iterations", number<kIterations, &Limits::iterations>(),
-       "of the solver, in all passes together", within(1, kMaxInt)},
+       "of Ipopt, in all passes together; steps of Newton's method do not "
+       "count",
+       within(1, kMaxInt)},
       {"solver.limits.seconds", number<kLimits, &Limits::seconds>(),
        "wall-clock time", seconds()},
   };

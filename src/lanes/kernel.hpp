@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// Shooting with eight scenes side by side. What stands here is compiled once
-/// for each set of instructions; nothing but numbers goes in and out.
+/// Shooting with scenes side by side, a register full of them. What stands here
+/// is compiled once for each set of instructions; nothing but numbers goes in
+/// and out.
 
 #pragma once
 
@@ -19,6 +20,7 @@
 #include "lanes/kernels.hpp"
 #include "lanes/newton_step.hpp"
 #include "lanes/second_order.hpp"
+#include "lanes/shot.hpp"
 #include "ocp/flow.hpp"
 #include "ocp/integration.hpp"
 
@@ -26,16 +28,18 @@ namespace brachisto::lanes {
 
 namespace detail {
 
-template <int Set, std::size_t Count, Surroundings In>
+template <Instructions Set, Surroundings In>
 class Shooting {
  public:
-  using Number = Lane<Set, Count>;
+  static constexpr std::size_t kLanes = lanes_of(Set);
+  using Number = Lane<static_cast<int>(Set), kLanes>;
   using Problem = FallingLanes<Number, In>;
   using Flow = ocp::Flow<Problem, Number>;
   using State = typename Flow::State;
   using Mask = typename Number::Mask;
   static constexpr std::size_t kUnknowns = Extremal::kUnknowns;
   using Unknowns = std::array<Number, kUnknowns>;
+  using Shot = detail::Shot<Number, State>;
 
   Shooting(const Targets& targets, const Fineness& fineness)
       : targets_(targets), fineness_(fineness) {
@@ -57,7 +61,7 @@ class Shooting {
   void land(Landings& out) {
     pass(last_step());
     const Shot shot = shoot<false>(by_, half(), kIgnore);
-    for (std::size_t lane = 0; lane < Count; ++lane) {
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
       for (std::size_t j = 0; j < kUnknowns; ++j) {
         out[lane].residual[j] = shot.residual[j][lane];
       }
@@ -70,7 +74,7 @@ class Shooting {
   void respond(Responses& out) {
     pass(last_step());
     const Shot shot = shoot<true>(by_, half(), kIgnore);
-    for (std::size_t lane = 0; lane < Count; ++lane) {
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
       for (std::size_t j = 0; j < kUnknowns; ++j) {
         Landing& by = out[lane][j];
         for (std::size_t i = 0; i < kUnknowns; ++i) {
@@ -88,19 +92,8 @@ class Shooting {
 
   template <class Do>
   void each(Do&& act) const {
-    for (std::size_t i = 0; i < Count; ++i) act(i, targets_[i]);
+    for (std::size_t i = 0; i < kLanes; ++i) act(i, targets_[i]);
   }
-
-  /// Equations that a shot has to meet, and what else is known at its end.
-  struct Shot {
-    Unknowns residual, scale;
-    std::array<Unknowns, kUnknowns> jacobian;  ///< rows
-    State y, rates;
-    Number T, beta, start_beta;
-    // Of a shot with derivatives: by the unknowns, and see Extremal.
-    Unknowns beta_by, start_beta_by, time_by;
-    Number least_jacobian, last_jacobian, by_length;
-  };
 
   void pass(int step) {
     each([&](std::size_t i, const Target& target) {
@@ -242,8 +235,8 @@ class Shooting {
   Number sign_;
 };
 
-template <int Set, std::size_t Count, Surroundings In>
-void Shooting<Set, Count, In>::follow_way() {
+template <Instructions Set, Surroundings In>
+void Shooting<Set, In>::follow_way() {
   constexpr double kFarthest = 0.5;  // of a prediction from the branch
   constexpr double kNear = 5e-3;     // the next step would be its square
   constexpr int kMostSteps = 4;
@@ -281,8 +274,8 @@ void Shooting<Set, Count, In>::follow_way() {
   }
 }
 
-template <int Set, std::size_t Count, Surroundings In>
-void Shooting<Set, Count, In>::finish(Extremals& out) {
+template <Instructions Set, Surroundings In>
+void Shooting<Set, In>::finish(Extremals& out) {
   constexpr double kUlp = std::numeric_limits<double>::epsilon();
   constexpr double kClosed = 1e-10;
   constexpr int kMostSteps = 5;
@@ -299,12 +292,11 @@ void Shooting<Set, Count, In>::finish(Extremals& out) {
   Number T_half(0.0);
   auto moving = good_;
   for (int i = 0; i < kMostSteps && any(moving); ++i) {
+    // What has arrived keeps what it arrived with, however long others go on.
     if (i < 2) {
-      whole = shoot<true>(by_, half, kIgnore);
+      whole.take(shoot<true>(by_, half, kIgnore), moving);
     } else {
-      const Shot next = shoot<false>(by_, half, kIgnore);
-      whole.residual = next.residual;
-      whole.T = next.T;
+      whole.take_values(shoot<false>(by_, half, kIgnore), moving);
     }
     const auto solved = newton_step(whole.jacobian, whole.residual);
     const Number far = size(solved.step);
@@ -359,7 +351,7 @@ void Shooting<Set, Count, In>::finish(Extremals& out) {
         for (std::size_t j = 0; j < Flow::kSize; ++j) {
           beta_rate = beta_rate + by_state[j] * rates[j];
         }
-        for (std::size_t lane = 0; lane < Count; ++lane) {
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
           out[lane].path[static_cast<std::size_t>(i / fineness_.within)] = {
               .x = y[kX][lane],
               .z = y[kZ][lane],
@@ -399,7 +391,7 @@ void Shooting<Set, Count, In>::finish(Extremals& out) {
     mismatch = where(!(abs(off) < mismatch), abs(off), mismatch);
   }
   const Number one = where(good_, Number(1.0), Number(0.0));
-  for (std::size_t lane = 0; lane < Count; ++lane) {
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
     Extremal& found = out[lane];
     found.found = one[lane] > 0.0 && std::isfinite(error[lane]) &&
                   std::isfinite(mismatch[lane]);
@@ -420,25 +412,22 @@ void Shooting<Set, Count, In>::finish(Extremals& out) {
 
 }  // namespace detail
 
-template <Instructions Set, std::size_t Count, Surroundings In>
-void Kernel<Set, Count, In>::shoot(const Targets& targets,
-                                   const Fineness& fineness, Extremals& out) {
-  detail::Shooting<static_cast<int>(Set), Count, In>(targets, fineness)
-      .run(out);
+template <Instructions Set, Surroundings In>
+void Kernel<Set, In>::shoot(const Targets& targets, const Fineness& fineness,
+                            Extremals& out) {
+  detail::Shooting<Set, In>(targets, fineness).run(out);
 }
 
-template <Instructions Set, std::size_t Count, Surroundings In>
-void Kernel<Set, Count, In>::land(const Targets& targets,
-                                  const Fineness& fineness, Landings& out) {
-  detail::Shooting<static_cast<int>(Set), Count, In>(targets, fineness)
-      .land(out);
+template <Instructions Set, Surroundings In>
+void Kernel<Set, In>::land(const Targets& targets, const Fineness& fineness,
+                           Landings& out) {
+  detail::Shooting<Set, In>(targets, fineness).land(out);
 }
 
-template <Instructions Set, std::size_t Count, Surroundings In>
-void Kernel<Set, Count, In>::respond(const Targets& targets,
-                                     const Fineness& fineness, Responses& out) {
-  detail::Shooting<static_cast<int>(Set), Count, In>(targets, fineness)
-      .respond(out);
+template <Instructions Set, Surroundings In>
+void Kernel<Set, In>::respond(const Targets& targets, const Fineness& fineness,
+                              Responses& out) {
+  detail::Shooting<Set, In>(targets, fineness).respond(out);
 }
 
 }  // namespace brachisto::lanes

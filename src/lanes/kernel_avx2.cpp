@@ -5,7 +5,7 @@
 
 namespace brachisto::lanes {
 
-template struct Kernel<Instructions::Avx2, kLanes, Surroundings{}>;
-template struct Kernel<Instructions::Avx2, kLanes, Surroundings{.air = true}>;
+template struct Kernel<Instructions::Avx2, Surroundings{}>;
+template struct Kernel<Instructions::Avx2, Surroundings{.air = true}>;
 
 }  // namespace brachisto::lanes

@@ -5,8 +5,8 @@
 
 namespace brachisto::lanes {
 
-template struct Kernel<Instructions::Avx2, kLanes, Surroundings{.field = true}>;
-template struct Kernel<Instructions::Avx2, kLanes,
+template struct Kernel<Instructions::Avx2, Surroundings{.field = true}>;
+template struct Kernel<Instructions::Avx2,
                        Surroundings{.air = true, .field = true}>;
 
 }  // namespace brachisto::lanes

@@ -5,7 +5,7 @@
 
 namespace brachisto::lanes {
 
-template struct Kernel<Instructions::Avx512, kLanes, Surroundings{}>;
-template struct Kernel<Instructions::Avx512, kLanes, Surroundings{.air = true}>;
+template struct Kernel<Instructions::Avx512, Surroundings{}>;
+template struct Kernel<Instructions::Avx512, Surroundings{.air = true}>;
 
 }  // namespace brachisto::lanes

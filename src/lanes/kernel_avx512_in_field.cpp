@@ -5,9 +5,8 @@
 
 namespace brachisto::lanes {
 
-template struct Kernel<Instructions::Avx512, kLanes,
-                       Surroundings{.field = true}>;
-template struct Kernel<Instructions::Avx512, kLanes,
+template struct Kernel<Instructions::Avx512, Surroundings{.field = true}>;
+template struct Kernel<Instructions::Avx512,
                        Surroundings{.air = true, .field = true}>;
 
 }  // namespace brachisto::lanes

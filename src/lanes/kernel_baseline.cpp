@@ -5,11 +5,7 @@
 
 namespace brachisto::lanes {
 
-template struct Kernel<Instructions::Baseline, kLanes, Surroundings{}>;
-template struct Kernel<Instructions::Baseline, kLanes,
-                       Surroundings{.air = true}>;
-template struct Kernel<Instructions::Baseline, kFewLanes, Surroundings{}>;
-template struct Kernel<Instructions::Baseline, kFewLanes,
-                       Surroundings{.air = true}>;
+template struct Kernel<Instructions::Baseline, Surroundings{}>;
+template struct Kernel<Instructions::Baseline, Surroundings{.air = true}>;
 
 }  // namespace brachisto::lanes

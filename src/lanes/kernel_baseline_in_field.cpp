@@ -5,13 +5,8 @@
 
 namespace brachisto::lanes {
 
-template struct Kernel<Instructions::Baseline, kLanes,
-                       Surroundings{.field = true}>;
-template struct Kernel<Instructions::Baseline, kLanes,
-                       Surroundings{.air = true, .field = true}>;
-template struct Kernel<Instructions::Baseline, kFewLanes,
-                       Surroundings{.field = true}>;
-template struct Kernel<Instructions::Baseline, kFewLanes,
+template struct Kernel<Instructions::Baseline, Surroundings{.field = true}>;
+template struct Kernel<Instructions::Baseline,
                        Surroundings{.air = true, .field = true}>;
 
 }  // namespace brachisto::lanes

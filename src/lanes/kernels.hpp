@@ -9,7 +9,6 @@
 #include <array>
 #include <cstddef>
 
-#include "lanes/lane.hpp"
 #include "lanes/many_scenes.hpp"
 
 namespace brachisto::lanes {
@@ -47,14 +46,23 @@ struct Target {
   /// Whose law the field has, the same for all that are shot together.
   FieldSide side = FieldSide::Outside;
 };
-using Targets = std::array<Target, kLanes>;
-using Extremals = std::array<Extremal, kLanes>;
-using Landings = std::array<Landing, kLanes>;
-using Responses = std::array<Response, kLanes>;
 
-/// The first so many of eight scenes with one set of instructions. Its
+/// Numbers in a register of a set of instructions: with more at once they do
+/// not fit into all of its registers, and every second one is read and written
+/// in memory.
+[[nodiscard]] constexpr std::size_t lanes_of(Instructions set) {
+  return set == Instructions::Avx512 ? 8 : set == Instructions::Avx2 ? 4 : 2;
+}
+inline constexpr std::size_t kMostLanes = lanes_of(Instructions::Avx512);
+
+using Targets = std::array<Target, kMostLanes>;
+using Extremals = std::array<Extremal, kMostLanes>;
+using Landings = std::array<Landing, kMostLanes>;
+using Responses = std::array<Response, kMostLanes>;
+
+/// The first scenes with one set of instructions, as many as it has lanes. Its
 /// functions are not inline: those who call them must not compile them too.
-template <Instructions Set, std::size_t Count, Surroundings In>
+template <Instructions Set, Surroundings In>
 struct Kernel {
   static void shoot(const Targets& targets, const Fineness& fineness,
                     Extremals& out);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// Eight numbers at once, as a scalar that formulas are asked with.
+/// A register full of numbers, as a scalar that formulas are asked with.
 
 #pragma once
 
@@ -16,23 +16,24 @@
 
 namespace brachisto::lanes {
 
-inline constexpr std::size_t kLanes = 8;
-/// Enough for a scene or two, in registers that every processor has.
-inline constexpr std::size_t kFewLanes = 2;
-
-/// So many numbers, and their bits. (A size that a template tells is one that
-/// g++ 12 forgets.)
+/// A register of so many numbers, and their bits. (A size that a template tells
+/// is one that g++ 12 forgets.)
 template <std::size_t Count>
-struct Registers;
+struct Register;
 template <>
-struct Registers<kLanes> {
-  typedef double Numbers __attribute__((vector_size(kLanes * 8)));
-  typedef std::int64_t Bits __attribute__((vector_size(kLanes * 8)));
+struct Register<2> {
+  typedef double Numbers __attribute__((vector_size(16)));
+  typedef std::int64_t Bits __attribute__((vector_size(16)));
 };
 template <>
-struct Registers<kFewLanes> {
-  typedef double Numbers __attribute__((vector_size(kFewLanes * 8)));
-  typedef std::int64_t Bits __attribute__((vector_size(kFewLanes * 8)));
+struct Register<4> {
+  typedef double Numbers __attribute__((vector_size(32)));
+  typedef std::int64_t Bits __attribute__((vector_size(32)));
+};
+template <>
+struct Register<8> {
+  typedef double Numbers __attribute__((vector_size(64)));
+  typedef std::int64_t Bits __attribute__((vector_size(64)));
 };
 
 /// Numbers side by side, each treated alike and none looking at its neighbours.
@@ -44,10 +45,10 @@ struct Registers<kFewLanes> {
 /// \tparam Set  of instructions: code compiled for different ones has different
 ///              names, and the linker cannot take one for the other
 /// \tparam Count  of numbers
-template <int Set, std::size_t Count = kLanes>
+template <int Set, std::size_t Count>
 struct Lane {
-  using Numbers = typename Registers<Count>::Numbers;
-  using Bits = typename Registers<Count>::Bits;
+  using Numbers = typename Register<Count>::Numbers;
+  using Bits = typename Register<Count>::Bits;
 
   static constexpr std::size_t kCount = Count;
 

@@ -103,48 +103,53 @@ Target aim_beside(const Scene& natural, Scene from, const Extremal& known,
   return out;
 }
 
-/// Calls run(kernel) with the one for so many scenes.
+/// Calls run(kernel) with the one of a set of instructions.
 template <Surroundings In>
-void with_kernel(std::size_t count, [[maybe_unused]] Instructions instructions,
-                 auto&& run) {
-  if (count <= kFewLanes) {
-    return run(Kernel<Instructions::Baseline, kFewLanes, In>());
-  }
+void with_kernel([[maybe_unused]] Instructions instructions, auto&& run) {
 #if defined(__x86_64__)
   if (instructions == Instructions::Avx512) {
-    return run(Kernel<Instructions::Avx512, kLanes, In>());
+    return run(Kernel<Instructions::Avx512, In>());
   }
   if (instructions == Instructions::Avx2) {
-    return run(Kernel<Instructions::Avx2, kLanes, In>());
+    return run(Kernel<Instructions::Avx2, In>());
   }
 #endif
-  run(Kernel<Instructions::Baseline, kLanes, In>());
+  run(Kernel<Instructions::Baseline, In>());
+}
+/// The one with the fewest lanes for so many scenes.
+Instructions enough_for(std::size_t scenes, Instructions best) {
+  Instructions set = Instructions::Baseline;
+  while (set != best && lanes_of(set) < scenes) {
+    set = static_cast<Instructions>(static_cast<int>(set) + 1);
+  }
+  return set;
 }
 
-/// Does with eight targets at a time what a kernel can.
+/// Does with targets, a register full at a time, what a kernel can.
 template <Surroundings In, class Out>
-void in_eights(std::span<const std::size_t> places, Instructions instructions,
-               auto&& aim_at, auto&& run, std::vector<Out>& out) {
+void in_lanes(std::span<const std::size_t> places, Instructions instructions,
+              auto&& aim_at, auto&& run, std::vector<Out>& out) {
   Targets targets;
-  const auto eight = std::make_unique<std::array<Out, kLanes>>();
-  for (std::size_t first = 0; first < places.size(); first += kLanes) {
+  const auto found = std::make_unique<std::array<Out, kMostLanes>>();
+  const std::size_t lanes = lanes_of(instructions);
+  for (std::size_t first = 0; first < places.size(); first += lanes) {
     const auto here =
-        places.subspan(first, std::min(kLanes, places.size() - first));
-    std::array<bool, kLanes> aimed{};
-    std::size_t some = kLanes;
+        places.subspan(first, std::min(lanes, places.size() - first));
+    std::array<bool, kMostLanes> aimed{};
+    std::size_t some = kMostLanes;
     for (std::size_t i = 0; i < here.size(); ++i) {
       aimed[i] = aim_at(here[i], targets[i]);
       if (aimed[i]) some = i;
     }
-    if (some == kLanes) continue;
+    if (some == kMostLanes) continue;
     // A lane that nobody needs does what another one does.
-    for (std::size_t i = 0; i < kLanes; ++i) {
+    for (std::size_t i = 0; i < kMostLanes; ++i) {
       if (!aimed[i]) targets[i] = targets[some];
     }
-    with_kernel<In>(here.size(), instructions,
-                    [&](auto kernel) { run(kernel, targets, *eight); });
+    with_kernel<In>(enough_for(here.size(), instructions),
+                    [&](auto kernel) { run(kernel, targets, *found); });
     for (std::size_t i = 0; i < here.size(); ++i) {
-      if (aimed[i]) out[here[i]] = (*eight)[i];
+      if (aimed[i]) out[here[i]] = (*found)[i];
     }
   }
 }
@@ -152,9 +157,9 @@ void in_eights(std::span<const std::size_t> places, Instructions instructions,
 /// apart: what a scene is worked out by does not depend on which stand beside
 /// it.
 template <class Out>
-std::vector<Out> in_eights(std::span<const Scene> scenes,
-                           Instructions instructions, auto&& aim_at,
-                           auto&& run) {
+std::vector<Out> in_lanes(std::span<const Scene> scenes,
+                          Instructions instructions, auto&& aim_at,
+                          auto&& run) {
   std::vector<Out> out(scenes.size());
   constexpr std::size_t kPushed = 1, kInAir = 2, kOutside = 4, kInside = 8;
   std::array<std::vector<std::size_t>, 12> places;
@@ -170,7 +175,7 @@ std::vector<Out> in_eights(std::span<const Scene> scenes,
   }
   const auto shoot_all = [&]<Surroundings In>(std::size_t kind) {
     for (const std::size_t left : {kind, kind | kPushed}) {
-      in_eights<In>(places[left], instructions, aim_at, run, out);
+      in_lanes<In>(places[left], instructions, aim_at, run, out);
     }
   };
   shoot_all.template operator()<Surroundings{}>(0);
@@ -232,13 +237,13 @@ namespace {
 std::vector<Extremal> shot(std::span<const Scene> natural,
                            const Fineness& fineness, Instructions instructions,
                            auto&& aim_at) {
-  std::vector<Extremal> out = in_eights<Extremal>(
+  std::vector<Extremal> out = in_lanes<Extremal>(
       natural, instructions,
       [&](std::size_t i, Target& target) {
         return fits(natural[i]) && aim_at(i, target);
       },
-      [&](auto kernel, const Targets& targets, Extremals& eight) {
-        kernel.shoot(targets, fineness, eight);
+      [&](auto kernel, const Targets& targets, Extremals& found) {
+        kernel.shoot(targets, fineness, found);
       });
   for (std::size_t i = 0; i < out.size(); ++i) {
     out[i].side = natural[i].world.side;
@@ -280,14 +285,14 @@ std::vector<Out> shot_again(std::span<const Scene> natural,
                             const Extremal& extremal, Instructions instructions,
                             auto&& run) {
   const Fineness fineness{1, 0, extremal.places, 2};
-  return in_eights<Out>(
+  return in_lanes<Out>(
       natural, instructions,
       [&](std::size_t i, Target& target) {
         target = aim_beside(natural[i], natural[i], extremal, fineness.offsets);
         return true;
       },
-      [&](auto kernel, const Targets& targets, auto& eight) {
-        run(kernel, targets, fineness, eight);
+      [&](auto kernel, const Targets& targets, auto& found) {
+        run(kernel, targets, fineness, found);
       });
 }
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// Many free scenes at once: indirect shooting with eight scenes side by side.
+/// Many free scenes at once: indirect shooting with as many scenes side by side
+/// as a vector register holds numbers.
 ///
 /// Each scene is continued from its own cycloid, η = 0, to its η_m and then
 /// into its world, as one alone is, and looks at no other: its digits do not

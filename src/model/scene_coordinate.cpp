@@ -67,7 +67,9 @@ double difference_step(const Scene& scene, SceneCoordinate coordinate) {
 
 Scene with_rotation(Scene scene) {
   if (scene.body.rolls() && scene.body.eta_m == 0.0) {
-    scene.body.eta_m = kSmallestQuantity;
+    Body body = as_stated(scene.body);
+    body.eta_m = kSmallestQuantity;
+    scene.body = as_it_rolls(body);
   }
   return scene;
 }

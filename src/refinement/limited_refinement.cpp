@@ -270,6 +270,7 @@ class LimitedSolve {
     loosened_.push_back(std::move(path));
     follow_tighter();
     double asked_below = kNear;  // the limits asked for are tried, twice
+    bool from_free = true;
     for (double leap = kLongest; leap > kShortest;) {
       const LoosenedPath reached = loosened_.back();
       if (reached.by == 0.0) {
@@ -290,7 +291,12 @@ class LimitedSolve {
           },
           kOfALeap);
       if (!found && next > std::max(0.0, shut_to_) && !stopped()) {
-        found = path_under(next, &LimitedWays::find, kOfALeap);
+        // What the free path has not led to it will hardly lead to from half
+        // as far.
+        found = path_under(
+            next, from_free ? &LimitedWays::find : &LimitedWays::from_random,
+            kOfALeap);
+        from_free = found || !from_free;
       }
       if (found) {
         loosened_.push_back(*std::move(found));

@@ -69,9 +69,7 @@ class WithoutArcs {
     return not_accurate(protocol_.message);
   }
   /// On from there.
-  [[nodiscard]] SolvedWithoutArcs go_on(First first,
-                                        const IpoptOptions& ipopt) {
-    ipopt_ = ipopt;
+  [[nodiscard]] SolvedWithoutArcs go_on(First first) {
     auto path = accurate(first);
     return {std::move(path), closed_};
   }
@@ -269,11 +267,10 @@ class WithoutArcs {
   [[nodiscard]] SolverResult run(nlp::Problem& problem, const PrimalDual& start,
                                  double complementarity) {
     constexpr double kTolerance = 1e-11;
-    IpoptOptions ipopt = of_pass(Pass::Short, ipopt_, problem);
+    IpoptOptions ipopt = of_pass(Pass::Short, protocol_.left(ipopt_), problem);
     ipopt.tolerance = std::max(ipopt.tolerance, kTolerance);
     ipopt.complementarity = complementarity;
     SolverResult result = solve_with_ipopt(problem, start, ipopt);
-    ipopt_.max_iterations -= result.iterations;
     protocol_.add(result, problem);
     return result;
   }
@@ -418,7 +415,7 @@ void solve_without_arcs(
     PassProtocol& protocol,
     const std::function<bool(SolvedWithoutArcs solved)>& suffices) {
   constexpr double kOfTheFirst = 0.6;
-  WithoutArcs begun(coarse, tolerance, protocol.left(ipopt), protocol);
+  WithoutArcs begun(coarse, tolerance, ipopt, protocol);
   if (!begun.begin()) {
     static_cast<void>(suffices({{}, begun.closed()}));
     return;
@@ -428,7 +425,7 @@ void solve_without_arcs(
     {
       const PassProtocol::Share part(
           protocol, first == First::DrawnIn ? kOfTheFirst : 1.0);
-      enough = suffices(WithoutArcs(begun).go_on(first, protocol.left(ipopt)));
+      enough = suffices(WithoutArcs(begun).go_on(first));
     }
     if (enough || protocol.stopped()) return;
   }

@@ -169,7 +169,8 @@ void add_sensitivities(std::string& out, const Solution& solution) {
                      SensitivityOrder::None;
   if (asked && !solution.sensitivities) {
     add_line(out, "sensitivities",
-             "none: the conditions of the answer are singular");
+             "none: the conditions of the answer are singular, or its arcs are "
+             "not known");
   }
   if (!solution.sensitivities) return;
   const Scene& scene = solution.scene;

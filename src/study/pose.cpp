@@ -97,6 +97,10 @@ void check_method(const Collocation& program, Checker& check) {
   check.known("certify", program.certify, Certify::Proof);
   check.known("sensitivities", program.sensitivities, SensitivityOrder::Second);
   check.known("guess", program.guess, Guess::Random);
+  check.require(
+      program.guess == Guess::Cycloid || program.solver == ProgramSolver::Ipopt,
+      "the guess is other than the cycloid, and the solver Newton's "
+      "method; allowed is Ipopt, which needs no multipliers");
   check.within("tolerance", program.tolerance, kSmallestResidual,
                kLargestResidual);
   check_mesh(program.discretisation, check);

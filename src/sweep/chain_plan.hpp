@@ -29,7 +29,7 @@ class ChainPlan {
   static constexpr std::size_t kLongestWarm = 16;
   /// Without, shorter pieces share the work more evenly.
   static constexpr std::size_t kLongestCold = 4;
-  /// Side by side, scenes are solved eight at a time.
+  /// Side by side, eight scenes are solved at a time at most.
   static constexpr std::size_t kLongestInLanes = 32;
 
   explicit ChainPlan(const io::SweepFile& file)

@@ -18,7 +18,7 @@ namespace brachisto::sweep {
 /// Whether any scene of a sweep may be.
 [[nodiscard]] bool asks_for_lanes(const io::SweepFile& file);
 
-/// What lanes make of scenes, eight at a time, in the order of these.
+/// What lanes make of scenes, many at a time, in the order of these.
 class Lanes {
  public:
   /// \param asked  whether anything may be solved so

@@ -62,8 +62,9 @@ TEST(InputFiles, MayBeStandardInput) {
   EXPECT_EQ(code_with_input("solve - --set scene.finish.L=x", kUniform), 3);
   EXPECT_EQ(code_with_input("validate -", kUniform), 0);
   EXPECT_EQ(code_with_input("validate -", "/dev/null"), 3);
-  // Each method reads the file anew.
+  // Processes of their own read the file anew.
   EXPECT_EQ(code_with_input("compare -", kUniform), 6);
+  EXPECT_EQ(code_with_input("table -", kUniform), 6);
   const ScratchDirectory scratch;
   const std::string sweep =
       scratch.file("sweep.yaml",
@@ -72,6 +73,14 @@ TEST(InputFiles, MayBeStandardInput) {
   EXPECT_EQ(code_with_input(
                 "sweep - --out " + (scratch.path() / "out").string(), sweep),
             0);
+  const std::string design = scratch.file(
+      "design.yaml",
+      "scene: {body: {shape: cylinder, radius: 1/3, eta_m: 0.3, k: 0.4},\n"
+      "  finish: {L: 3, H: 1}}\n"
+      "design: {free: [eta_m], starts: 1, bounds: {eta_m: [0.2, 0.4]}}\n"
+      "solver: {guess: straight}\n");  // which has no effect on the inner
+                                       // solves
+  EXPECT_EQ(code_with_input("design -", design), 0);
 }
 
 TEST(InputFiles, OfPointsMayChangeWithoutASweepTakingThemForTheSame) {

@@ -11,7 +11,8 @@
 namespace brachisto::lanes {
 namespace {
 
-using Number = Lane<0>;
+constexpr std::size_t kLanes = 8;
+using Number = Lane<0, kLanes>;
 
 TEST(Lane, HasSinesWithinAnUlpOrTwo) {
   // One ulp of the polynomials, and the rest of n π/2, 2⁻⁸⁶ n, against an

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <numbers>
 
 #include "brachisto/study/solve.hpp"
 #include "model/cycloid.hpp"
@@ -131,18 +132,25 @@ TEST(BallOnAnIncline, TakesTheTimeOfTheClosedForm) {
 }
 
 /// By the numbers of the ball itself, the gauge being what it is.
-TEST(SensitivitiesOfABall, AreThoseOfWholeSolves) {
+class SensitivitiesOfABall : public ::testing::TestWithParam<double> {};
+
+TEST_P(SensitivitiesOfABall, AreThoseOfWholeSolves) {
   SolveOptions options;
   options.use<Collocation>().sensitivities = SensitivityOrder::First;
-  const Scene scene = with_ball(the_ball(0.3));
-  const Solution solution = verified(scene, options);
+  const Ball here = the_ball(GetParam());
+  const Solution solution = verified(with_ball(here), options);
   ASSERT_TRUE(solution.sensitivities);
   const auto slope = [&](const std::function<void(Ball&, double)>& change) {
     constexpr double kStep = 1e-3;
     const auto at = [&](double by) {
-      Ball ball = the_ball(0.3);
+      Ball ball = here;
       change(ball, by);
-      return tau_of(with_ball(ball));
+      // An offset the other way is one of half a turn more.
+      const double turn = ball.eta_m < 0.0 ? std::numbers::pi : 0.0;
+      ball.eta_m = std::abs(ball.eta_m);
+      Scene scene = with_ball(ball);
+      scene.body.theta_m += turn;
+      return tau_of(scene);
     };
     return (8.0 * (at(kStep) - at(-kStep)) -
             (at(2.0 * kStep) - at(-2.0 * kStep))) /
@@ -157,6 +165,8 @@ TEST(SensitivitiesOfABall, AreThoseOfWholeSolves) {
   EXPECT_NEAR(by[SceneParameter::EtaM].tau,
               slope([](Ball& ball, double by) { ball.eta_m += by; }), 1e-6);
 }
+INSTANTIATE_TEST_SUITE_P(OfOffsets, SensitivitiesOfABall,
+                         ::testing::Values(0.0, 0.3));
 
 }  // namespace
 }  // namespace brachisto

@@ -195,8 +195,8 @@ def sensitivities(result, second=False):
 
     The same as its attribute `sensitivities`, which is there if they were asked for
     beforehand (`solver={"sensitivities": True}`); `second` adds the second derivatives of
-    τ. None where they do not exist: the conditions of the answer are singular, or it was
-    not found by collocation in the rolling time.
+    τ. None where they do not exist: the conditions of the answer are singular, its arcs
+    are not known, or it was not found by collocation in the rolling time.
     """
     found = Result(result._core.differentiated(second)).sensitivities
     return found if found else None

@@ -28,7 +28,9 @@ struct ComparisonFlags : CommonFlags {
     own.push_back(directory_flag("--out", out, written));
     own.push_back({"--force", &force, "Replace existing files in DIR"});
     own.push_back(markdown_flag(markdown));
-    return CommonFlags::with(std::move(own));
+    std::vector<Flag> all = CommonFlags::with(std::move(own));
+    all.front().text = "Problem file (YAML), by its name";
+    return all;
   }
 };
 

@@ -247,6 +247,11 @@ std::string shell_word(std::string_view text) {
 int write_new(const NewFlags& flags) {
   const Kind& kind = *std::ranges::find(kKinds, flags.kind, &Kind::name);
   fs::path file = flags.name;
+  if (!file.has_filename()) {
+    throw UsageError("brachisto new", io::in_quotes(flags.name) +
+                                          " is a directory; expected "
+                                          "the name of a file");
+  }
   if (file.extension() != ".yaml" && file.extension() != ".yml") {
     file += ".yaml";
   }

@@ -71,14 +71,18 @@ int run(const RaceFlags& flags) {
   const fs::path directory = out.has_parent_path() ? out.parent_path() : ".";
   const std::string page = out.filename().string();
   report::check_writable(directory, {page}, flags.force);
+  const std::vector<std::string> racer_names = plot::racer_names(flags.files);
   // All files are read before the first one is solved.
   std::vector<io::ProblemFile> problems;
   for (const std::string& file : flags.files) {
     problems.push_back(io::read_problem_file(file, flags.overrides));
     warn_of(problems.back());
+    if (flags.same_track) {
+      plot::check_finish(file, problems.back().scene, racer_names.front(),
+                         problems.front().scene);
+    }
   }
 
-  const std::vector<std::string> racer_names = plot::racer_names(flags.files);
   const std::atomic<int>& signal = catch_signals();
   std::vector<Racer> racers;
   std::shared_ptr<const GivenPath> track;  // of the first, if it is that of all

@@ -179,6 +179,24 @@ void check_told_apart(const ScaledColumns& columns, const Residuals& of) {
       fmt::join(names, " and "), condition));
 }
 
+/// χ² ends where the body ceases to arrive, and may still fall there: that is
+/// no minimum, and errors about it mean nothing. \param values  of the
+/// residuals, over sigma \param size    of the times likewise
+void check_at_rest(const MatrixXd& J, const VectorXd& values, double size,
+                   const Residuals& of, const VectorXd& x) {
+  constexpr double kOfRounding = 1e-9, kSteep = 1e-3;
+  if (!(values.norm() > kOfRounding * size)) return;
+  for (Eigen::Index i = 0; i < J.cols(); ++i) {
+    const double slope =
+        std::abs(J.col(i).dot(values)) / (J.col(i).norm() * values.norm());
+    if (!(slope > kSteep)) continue;
+    throw CannotFit(fmt::format(
+        "χ² falls all the way to where the body does not arrive any more: at "
+        "{} = {:.6g} it just does; are these times of this track?",
+        of.key(i), x[i]));
+  }
+}
+
 /// The values of the least χ².
 VectorXd minimise(Residuals& residuals, std::size_t rows) {
   const math::SumOfSquares chi_squared{
@@ -271,6 +289,11 @@ Fit fit_times(const Scene& scene, const PlaneCurvePtr& centre,
   check_told_apart(columns, residuals);
   VectorXd last(rows);
   residuals.evaluate(x, last);
+  double size = 0.0;
+  for (const TimedPlace& time : times) {
+    size = std::hypot(size, time.t / time.sigma);
+  }
+  check_at_rest(J, last, size, residuals, x);
   Fit out;
   out.scene = residuals.scene_at(x);
   out.chi_squared = last.squaredNorm();

@@ -41,7 +41,8 @@ std::optional<double> read_number(
                              type == KeyType::Angle ? Unit::Angle : Unit::None);
     const bool integral =
         type != KeyType::Integer || number == std::trunc(number);
-    if (integral && interval.contains(number)) return number;
+    // No −0, which would be shown so.
+    if (integral && interval.contains(number)) return number + 0.0;
     return refuse(fmt::format("{} is not {}; expected {}",
                               in_quotes(value.text),
                               integral ? "allowed" : "an integer", expected));

@@ -35,7 +35,31 @@ std::string ends_in_words(const Racer& racer, double close) {
                      shown(b.x), shown(b.z));
 }
 
+/// That is where the one of `first` does not run.
+[[noreturn]] void refuse_ends(const std::string& file, const std::string& here,
+                              const std::string& first,
+                              const std::string& there) {
+  throw io::InputError(
+      {{.file = file,
+        .line = 0,
+        .column = 0,
+        .key = "scene.finish",
+        .message = fmt::format("the track runs {}, that of \"{}\" {}: all have "
+                               "to start and to finish together",
+                               here, first, there)}});
+}
+
 }  // namespace
+
+void check_finish(const std::string& file, const Scene& scene,
+                  const std::string& first, const Scene& its_scene) {
+  if (scene.L == its_scene.L && scene.H == its_scene.H) return;
+  const auto finish = [](const Scene& of) {
+    return fmt::format("to ({}, {})", report::printed(of.L),
+                       report::printed(of.H));
+  };
+  refuse_ends(file, finish(scene), first, finish(its_scene));
+}
 
 void check_ends(const std::string& file, const Racer& first,
                 const Racer& racer) {
@@ -46,15 +70,8 @@ void check_ends(const std::string& file, const Racer& first,
     if (distance(here[i], there[i]) <= close) {
       continue;
     }
-    throw io::InputError(
-        {{.file = file,
-          .line = 0,
-          .column = 0,
-          .key = "scene.finish",
-          .message = fmt::format("the track runs {}, that of \"{}\" {}: "
-                                 "all have to start and to finish together",
-                                 ends_in_words(racer, close), first.name,
-                                 ends_in_words(first, close))}});
+    refuse_ends(file, ends_in_words(racer, close), first.name,
+                ends_in_words(first, close));
   }
 }
 

@@ -28,6 +28,10 @@ inline constexpr std::size_t kFewestRacers = 2, kMostRacers = 24;
 [[nodiscard]] Scene on_track(Scene scene,
                              std::shared_ptr<const GivenPath> track);
 
+/// Before any is solved, where all take the track of the first one.
+/// \throws io::InputError  as the next one
+void check_finish(const std::string& file, const Scene& scene,
+                  const std::string& first, const Scene& its_scene);
 /// \param file  whose fault it is
 /// \throws io::InputError  if a track does not begin and end where the first
 ///                         one does

@@ -245,6 +245,18 @@ std::string result_schema() {
   Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"},
                  {"title", "Result of brachisto solve"}};
   schema.update(schema_of(result_texts(), false));
+  // Of a document that has nothing else but a status and a message.
+  Json mistake;
+  for (const char* text : {"file", "key", "message"}) {
+    mistake[text] = {{"type", "string"}};
+  }
+  for (const char* number : {"line", "column"}) {
+    mistake[number] = {{"type", "integer"}};
+  }
+  schema["properties"]["errors"] = {
+      {"type", "array"},
+      {"description", "of input that is refused: its mistakes"},
+      {"items", {{"type", "object"}, {"properties", std::move(mistake)}}}};
   return schema.dump(2) + "\n";
 }
 

@@ -93,6 +93,7 @@ double bound_of(const nlp::Range& range, Held held) {
 
 std::vector<double> eigenvalues_along(const MatrixXd& hessian,
                                       const MatrixXd& held_rows) {
+  if (hessian.rows() == 0) return {};
   MatrixXd along = MatrixXd::Identity(hessian.rows(), hessian.rows());
   // An orthonormal basis, so that lengths stay what they are.
   if (held_rows.rows() > 0) along = math::orthonormal_kernel(held_rows);

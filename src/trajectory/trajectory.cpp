@@ -139,6 +139,59 @@ LimitedMotion::LimitedMotion(LimitedCurve curve, const Scene& scene,
   }
 }
 
+// A polynomial takes some points of its mesh for a jump of the control, and
+// none of them sees what forces and folds come to at the jump.
+PathDiagnostics LimitedMotion::diagnose() const {
+  PathDiagnostics out = MeshMotion::diagnose();
+  if (curve_.problem().held()) return out;
+  const AtJunctions hidden = at_junctions();
+  const auto widen = [](double& error, double least, double there) {
+    if (least >= 0.0) error = std::max(error, least - there);
+  };
+  widen(out.normal_force_error, out.normal_force_after_rise.value,
+        hidden.normal_force);
+  widen(out.fold_margin_error, out.min_fold_margin.value, hidden.fold_margin);
+  return out;
+}
+
+LimitedMotion::AtJunctions LimitedMotion::at_junctions() const {
+  const LimitedTime& problem = curve_.problem();
+  const std::vector<double>& points = problem.scheme().rule.points;
+  const int p = problem.mesh().degree, N = problem.mesh().num_elements();
+  AtJunctions out;
+  const auto see = [&](int e, const PathInequality& limit, double bound) {
+    for (const double t : points) {
+      PathState at = place(e, t).state;
+      at.beta_rate =
+          with_control_at(limit, bound, natural(), curve_.state_at(e, t)).q;
+      const Kinematics motion = kinematics(natural(), at);
+      out.normal_force = std::min(out.normal_force, motion.R_n);
+      out.fold_margin = std::min(out.fold_margin, motion.fold_margin);
+    }
+  };
+  for (std::size_t i = 0; i < problem.limits().size(); ++i) {
+    const PathInequality& limit = problem.limits()[i];
+    if (!limit.bounds_control()) continue;
+    for (int e = 0; e < N; ++e) {
+      const int first = std::max(0, e - 1) * p, end = std::min(N, e + 2) * p;
+      int some = 0, last = 0;
+      for (int c = first; c < end; ++c) {
+        if (!curve_.active(c, static_cast<int>(i))) continue;
+        ++some;
+        last = c;
+      }
+      if (some == 0 || some == end - first) continue;
+      const double value =
+          value_of(limit, natural(),
+                   curve_.state_at(last / p, points[brachisto::at(last % p)]));
+      const bool upper =
+          std::abs(value - limit.upper) < std::abs(value - limit.lower);
+      see(e, limit, upper ? limit.upper : limit.lower);
+    }
+  }
+  return out;
+}
+
 LimitedMotion::Passed LimitedMotion::within(int element, double t) const {
   const double hU =
       curve_.problem().mesh().length(element) * curve_.rolling_time();

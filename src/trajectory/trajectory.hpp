@@ -111,7 +111,17 @@ class LimitedMotion final : public MeshMotion {
 
   [[nodiscard]] const LimitedCurve& curve() const { return curve_; }
 
+  /// Where arcs are not known, with what their junctions may hide.
+  [[nodiscard]] PathDiagnostics diagnose() const override;
+
  private:
+  /// The least R_n and 1 − r κ_c next to where a limit of the control begins or
+  /// ceases to hold, if it does there.
+  struct AtJunctions {
+    double normal_force = std::numeric_limits<double>::infinity();
+    double fold_margin = std::numeric_limits<double>::infinity();
+  };
+  [[nodiscard]] AtJunctions at_junctions() const;
   /// Time and length of the centre's path, in natural units.
   struct Passed {
     double t = 0.0, s = 0.0;

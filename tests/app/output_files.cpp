@@ -267,6 +267,25 @@ TEST(Race, OnOneTrackTakesTimesByTheLawOfRolling) {
               kOfSpline);
 }
 
+TEST(Race, OnOneTrackRefusesAnotherFinishBeforeItSolves) {
+  const ScratchDirectory scratch;
+  const auto to = [&](const char* L) {
+    return scratch.file(
+        std::string("to") + L + ".yaml",
+        std::string("scene: {body: {shape: bead}, finish: {L: ") + L +
+            ", H: 1}}\n");
+  };
+
+  const Output output = run({"race", to("3"), to("4"), "--same-track", "--out",
+                             (scratch.path() / "race.html").string()});
+
+  EXPECT_EQ(output.code, 3);
+  EXPECT_NE(output.err.find("scene.finish: the track runs to (4, 1), that of "
+                            "\"to3\" to (3, 1)"),
+            std::string::npos)
+      << output.err;
+}
+
 TEST(Set, ReplacesValuesAndMayBeRepeated) {
   const Output output =
       run({"solve", kWritten, "--json", "--set", "scene.finish.L=2", "--set",

@@ -143,6 +143,8 @@ def main():
         again = json.loads(run("validate", "-", "--json", text=answer).stdout)
         if {key: again.get(key) for key in given} != given:
             failures.append(f"result of {case}: read again it is another problem")
+    refusal = run("solve", "-", "--json", text=GOOD.replace(*BROKEN[0], 1)).stdout
+    expect(True, result, json.loads(refusal), "refusal")
     print("\n".join(failures) or f"{len(files)} problems conform, {len(BROKEN + BROKEN_LIMITS)} broken ones do not")
     return 1 if failures else 0
 

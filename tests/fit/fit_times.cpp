@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <string>
 
 #include "brachisto/study/solve.hpp"
@@ -186,6 +187,19 @@ TEST(FitTimes, RefusesAStartThatDoesNotArrive) {
   EXPECT_THAT(refusal(scene, times, wanted({"scene.losses.rolling"})),
               HasSubstr("with the values of the file the body does not arrive: "
                         "released from rest"));
+}
+
+/// They ask for more losses than the body would arrive with.
+TEST(FitTimes, RefusesAnEdgeThatIsNoMinimum) {
+  const Scene scene = led_along(uniform_scene(), Shape::Cycloid);
+  std::array late{1.0, 1.5, 3.0};
+  const double* next = late.data();
+  const auto times =
+      timed(scene, 3, kSigma, [&](const Scene&, double) { return *next++; });
+
+  EXPECT_THAT(refusal(scene, times, wanted({"scene.losses.rolling"})),
+              HasSubstr("χ² falls all the way to where the body does not "
+                        "arrive any more: at scene.losses.rolling = "));
 }
 
 /// The path is of the fourth order in a thousand places, and T is stationary

@@ -25,8 +25,10 @@ constexpr double kOfHessian = 10.0 * kStep * kStep;
 /// derivatives nothing is told. x = 1 holds and 2 (y + 1) + x/2 = 0: y = −5/4.
 class NearestPointWithBound final : public nlp::Problem {
  public:
-  explicit NearestPointWithBound(double least_y = -10.0)
-      : ranges_{{{-10.0, 1.0}, {least_y, 10.0}}} {}
+  explicit NearestPointWithBound(double least_y = -10.0,
+                                 double least_sum = -1.0)
+      : ranges_{{{-10.0, 1.0}, {least_y, 10.0}}},
+        row_ranges_{{{least_sum, 10.0}}} {}
 
   [[nodiscard]] int num_variables() const override { return 2; }
   [[nodiscard]] int num_constraints() const override { return 1; }
@@ -71,7 +73,7 @@ class NearestPointWithBound final : public nlp::Problem {
 
   std::array<double, 2> x_{};
   std::array<nlp::Range, 2> ranges_;
-  std::array<nlp::Range, 1> row_ranges_{{{-1.0, 10.0}}};
+  std::array<nlp::Range, 1> row_ranges_;
   nlp::SparsityPattern pattern_{{0, 0}, {0, 1}}, none_;
 };
 
@@ -135,6 +137,16 @@ TEST(FewVariables, MayBeHeldInEveryDirection) {
   EXPECT_EQ(found.point.x, (std::vector{1.0, 0.0}));
   EXPECT_NEAR(found.point.z_upper[0], 2.0, kAtRest);
   EXPECT_NEAR(found.point.z_lower[1], 2.5, kAtRest);
+  EXPECT_TRUE(found.curvatures.empty());
+}
+
+TEST(FewVariables, MayBeHeldInEveryDirectionByARowBesides) {
+  NearestPointWithBound problem(0.0, 1.0);
+  const PrimalDual start{{1.0, 0.0}, {-1e-9}, {0.0, 2.5}, {2.0, 0.0}};
+
+  const FewVariablesPoint found = refine_few_variables(problem, start, kStep);
+
+  EXPECT_EQ(found.point.x, (std::vector{1.0, 0.0}));
   EXPECT_TRUE(found.curvatures.empty());
 }
 

@@ -216,6 +216,23 @@ TEST(HardLimits, WhatFallsSlowlyNextToRestIsNotThePaths) {
   EXPECT_LE(*solution.estimated_error, 1e-10);
 }
 
+/// Between a valley and a hump the control jumps, and the body lifts off behind
+/// the jump: the indirect method, which knows the arcs, has R_n = −0.265. A
+/// mesh that knows none goes over the jump, with 0.024 at its points.
+TEST(HardLimits, WhatAMeshWithoutArcsMayHideIsNotFeasible) {
+  PathLimits limits;
+  limits.curvature = {2.264508886224581, 0.9489034148238713};
+  Scene scene = cylinder_scene(0.20375877981757287, 0.342,
+                               -2.446513371520144 * 180.0 / std::numbers::pi,
+                               0.1545147539558567, 3.466165865959849, limits);
+  scene.contact = Contact::Centre;
+
+  const Solution solution = solve(scene);
+
+  ASSERT_TRUE(solution.verified()) << solution.message;
+  EXPECT_FALSE(solution.feasible() && solution.undecided_because().empty());
+}
+
 /// And until the contacts are as closed as the certificate wants them.
 TEST(HardLimits, ElementsAreHalvedUntilTheContactsAreClosed) {
   PathLimits limits;

@@ -81,7 +81,7 @@ class Residuals {
   /// Why there is none.
   [[nodiscard]] std::string stall() const {
     return motion_ ? motion_->stall()->message()
-                   : "the losses are larger than any load";
+                   : "losses are larger than any load, or k is negative";
   }
 
   /// (t_i − t₀ − t(q_i; x))/σ_i; false if the body does not arrive.
@@ -179,21 +179,32 @@ void check_told_apart(const ScaledColumns& columns, const Residuals& of) {
       fmt::join(names, " and "), condition));
 }
 
-/// χ² ends where the body ceases to arrive, and may still fall there: that is
-/// no minimum, and errors about it mean nothing. \param values  of the
-/// residuals, over sigma \param size    of the times likewise
-void check_at_rest(const MatrixXd& J, const VectorXd& values, double size,
-                   const Residuals& of, const VectorXd& x) {
-  constexpr double kOfRounding = 1e-9, kSteep = 1e-3;
+/// χ² ends where the body ceases to arrive, or to be one, and may still fall
+/// there: that is no minimum, and errors about it mean nothing.
+///
+/// \param values  of the residuals, over sigma
+/// \param size    of the times likewise
+void check_is_minimum(const MatrixXd& J, const VectorXd& values, double size,
+                      Residuals& of, const VectorXd& x) {
+  constexpr double kOfRounding = 1e-9, kSteep = 1e-3, kStep = 1e-6;
   if (!(values.norm() > kOfRounding * size)) return;
+  bool steep = false;
   for (Eigen::Index i = 0; i < J.cols(); ++i) {
-    const double slope =
-        std::abs(J.col(i).dot(values)) / (J.col(i).norm() * values.norm());
-    if (!(slope > kSteep)) continue;
+    const double slope = J.col(i).dot(values);
+    if (!(std::abs(slope) > kSteep * J.col(i).norm() * values.norm())) continue;
+    steep = true;
+    VectorXd downhill = x;
+    downhill[i] += std::copysign(kStep * std::max(1.0, std::abs(x[i])), slope);
+    if (of.motion_at(downhill) != nullptr) continue;
     throw CannotFit(fmt::format(
-        "χ² falls all the way to where the body does not arrive any more: at "
-        "{} = {:.6g} it just does; are these times of this track?",
-        of.key(i), x[i]));
+        "χ² falls all the way to {} = {:.6g}, beyond which there is no motion: "
+        "{}; are these times of this track?",
+        of.key(i), x[i], of.stall()));
+  }
+  if (steep) {
+    throw CannotFit(
+        "χ² still falls where the least squares end; are these times of this "
+        "track?");
   }
 }
 
@@ -293,7 +304,7 @@ Fit fit_times(const Scene& scene, const PlaneCurvePtr& centre,
   for (const TimedPlace& time : times) {
     size = std::hypot(size, time.t / time.sigma);
   }
-  check_at_rest(J, last, size, residuals, x);
+  check_is_minimum(J, last, size, residuals, x);
   Fit out;
   out.scene = residuals.scene_at(x);
   out.chi_squared = last.squaredNorm();

@@ -143,7 +143,7 @@ void in_lanes(std::span<const std::size_t> places, Instructions instructions,
     }
     if (some == kMostLanes) continue;
     // A lane that nobody needs does what another one does.
-    for (std::size_t i = 0; i < kMostLanes; ++i) {
+    for (std::size_t i = 0; i < lanes; ++i) {
       if (!aimed[i]) targets[i] = targets[some];
     }
     with_kernel<In>(enough_for(here.size(), instructions),
@@ -160,6 +160,7 @@ template <class Out>
 std::vector<Out> in_lanes(std::span<const Scene> scenes,
                           Instructions instructions, auto&& aim_at,
                           auto&& run) {
+  instructions = std::min(instructions, best_instructions());
   std::vector<Out> out(scenes.size());
   constexpr std::size_t kPushed = 1, kInAir = 2, kOutside = 4, kInside = 8;
   std::array<std::vector<std::size_t>, 12> places;

@@ -7,7 +7,6 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cstddef>
 
 #include "lanes/many_scenes.hpp"
@@ -28,23 +27,29 @@ struct Shot {
   Unknowns beta_by, start_beta_by, time_by;
   Number least_jacobian, last_jacobian, by_length;
 
-  /// Takes another one, in some lanes.
+  /// What the equations and T are of another one, in some lanes.
+  void take_values(const Shot& other, const Mask& there) {
+    take_all(residual, other.residual, there);
+    T = where(there, other.T, T);
+  }
+  /// And what a search needs of its derivatives.
   void take(const Shot& other, const Mask& there) {
-    // A shot is nothing but numbers.
-    using Numbers = std::array<Number, sizeof(Shot) / sizeof(Number)>;
-    auto own = std::bit_cast<Numbers>(*this);
-    const auto others = std::bit_cast<Numbers>(other);
+    take_values(other, there);
+    for (std::size_t i = 0; i < jacobian.size(); ++i) {
+      take_all(jacobian[i], other.jacobian[i], there);
+    }
+    take_all(time_by, other.time_by, there);
+    least_jacobian = where(there, other.least_jacobian, least_jacobian);
+    last_jacobian = where(there, other.last_jacobian, last_jacobian);
+    by_length = where(there, other.by_length, by_length);
+  }
+
+ private:
+  static void take_all(Unknowns& own, const Unknowns& others,
+                       const Mask& there) {
     for (std::size_t i = 0; i < own.size(); ++i) {
       own[i] = where(there, others[i], own[i]);
     }
-    *this = std::bit_cast<Shot>(own);
-  }
-  /// What the equations and T are of it, and keeps derivatives.
-  void take_values(const Shot& other, const Mask& there) {
-    for (std::size_t i = 0; i < residual.size(); ++i) {
-      residual[i] = where(there, other.residual[i], residual[i]);
-    }
-    T = where(there, other.T, T);
   }
 };
 

@@ -53,7 +53,10 @@ std::string ends_in_words(const Racer& racer, double close) {
 
 void check_finish(const std::string& file, const Scene& scene,
                   const std::string& first, const Scene& its_scene) {
-  if (scene.L == its_scene.L && scene.H == its_scene.H) return;
+  if (std::hypot(scene.L - its_scene.L, scene.H - its_scene.H) <=
+      kCloseToEnds * std::hypot(its_scene.L, its_scene.H)) {
+    return;
+  }
   const auto finish = [](const Scene& of) {
     return fmt::format("to ({}, {})", report::printed(of.L),
                        report::printed(of.H));

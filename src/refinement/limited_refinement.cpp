@@ -270,11 +270,12 @@ class LimitedSolve {
     loosened_.push_back(std::move(path));
     follow_tighter();
     double asked_below = kNear;  // the limits asked for are tried, twice
-    bool from_free = true;
+    bool from_free = true, random = false;
     for (double leap = kLongest; leap > kShortest;) {
       const LoosenedPath reached = loosened_.back();
       if (reached.by == 0.0) {
         take(reached);
+        from_random_ = random && answer_;
         break;
       }
       const bool there = reached.by < kNothing && asked_below == 0.0;
@@ -296,7 +297,8 @@ class LimitedSolve {
         found = path_under(
             next, from_free ? &LimitedWays::find : &LimitedWays::from_random,
             kOfALeap);
-        from_free = found || !from_free;
+        random = random || (found && !from_free);
+        if (!found) from_free = !from_free;
       }
       if (found) {
         loosened_.push_back(*std::move(found));

@@ -188,8 +188,9 @@ std::optional<FittedPath> LimitedWays::from_random() {
   for (const LimitedCurve& curve :
        cold_paths(scene_, free_, phi_, protocol_.left(options_.ipopt), kStarts,
                   each, protocol_)) {
+    tightening_.leave(protocol_.left(options_.ipopt).max_iterations);
     std::optional<FittedPath> path = from_tight(curve);
-    if (path || mesh_ || protocol_.stopped()) return path;
+    if (path || mesh_ || ended()) return path;
   }
   return {};
 }

@@ -146,7 +146,7 @@ PathDiagnostics LimitedMotion::diagnose() const {
   if (curve_.problem().held()) return out;
   const AtJunctions hidden = at_junctions();
   const auto widen = [](double& error, double least, double there) {
-    if (least >= 0.0) error = std::max(error, least - there);
+    if (least >= 0.0 && !(there > 0.0)) error = std::max(error, least - there);
   };
   widen(out.normal_force_error, out.normal_force_after_rise.value,
         hidden.normal_force);
@@ -164,6 +164,7 @@ LimitedMotion::AtJunctions LimitedMotion::at_junctions() const {
       PathState at = place(e, t).state;
       at.beta_rate =
           with_control_at(limit, bound, natural(), curve_.state_at(e, t)).q;
+      if (!std::isfinite(at.beta_rate)) continue;
       const Kinematics motion = kinematics(natural(), at);
       out.normal_force = std::min(out.normal_force, motion.R_n);
       out.fold_margin = std::min(out.fold_margin, motion.fold_margin);
@@ -174,19 +175,18 @@ LimitedMotion::AtJunctions LimitedMotion::at_junctions() const {
     if (!limit.bounds_control()) continue;
     for (int e = 0; e < N; ++e) {
       const int first = std::max(0, e - 1) * p, end = std::min(N, e + 2) * p;
-      int some = 0, last = 0;
+      int at_lower = 0, at_upper = 0;
       for (int c = first; c < end; ++c) {
         if (!curve_.active(c, static_cast<int>(i))) continue;
-        ++some;
-        last = c;
+        const double value =
+            value_of(limit, natural(),
+                     curve_.state_at(c / p, points[brachisto::at(c % p)]));
+        ++(std::abs(value - limit.upper) < std::abs(value - limit.lower)
+               ? at_upper
+               : at_lower);
       }
-      if (some == 0 || some == end - first) continue;
-      const double value =
-          value_of(limit, natural(),
-                   curve_.state_at(last / p, points[brachisto::at(last % p)]));
-      const bool upper =
-          std::abs(value - limit.upper) < std::abs(value - limit.lower);
-      see(e, limit, upper ? limit.upper : limit.lower);
+      if (at_lower > 0 && at_lower < end - first) see(e, limit, limit.lower);
+      if (at_upper > 0 && at_upper < end - first) see(e, limit, limit.upper);
     }
   }
   return out;

@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -115,8 +116,8 @@ class LimitedMotion final : public MeshMotion {
   [[nodiscard]] PathDiagnostics diagnose() const override;
 
  private:
-  /// The least R_n and 1 − r κ_c next to where a limit of the control begins or
-  /// ceases to hold, if it does there.
+  /// The least R_n and 1 − r κ_c, if a limit of the control holds that begins or
+  /// ceases to do so within an element of there.
   struct AtJunctions {
     double normal_force = std::numeric_limits<double>::infinity();
     double fold_margin = std::numeric_limits<double>::infinity();

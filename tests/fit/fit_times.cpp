@@ -198,8 +198,7 @@ TEST(FitTimes, RefusesAnEdgeThatIsNoMinimum) {
       timed(scene, 3, kSigma, [&](const Scene&, double) { return *next++; });
 
   EXPECT_THAT(refusal(scene, times, wanted({"scene.losses.rolling"})),
-              HasSubstr("χ² falls all the way to where the body does not "
-                        "arrive any more: at scene.losses.rolling = "));
+              HasSubstr("χ² falls all the way to scene.losses.rolling = "));
 }
 
 /// The path is of the fourth order in a thousand places, and T is stationary

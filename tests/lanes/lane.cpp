@@ -11,21 +11,24 @@
 namespace brachisto::lanes {
 namespace {
 
-constexpr std::size_t kLanes = 8;
-using Number = Lane<0, kLanes>;
+template <class Lanes>
+class EachWidth : public testing::Test {};
+using Widths = testing::Types<Lane<0, 2>, Lane<0, 4>, Lane<0, 8>>;
+TYPED_TEST_SUITE(EachWidth, Widths);
 
-TEST(Lane, HasSinesWithinAnUlpOrTwo) {
+TYPED_TEST(EachWidth, HasSinesWithinAnUlpOrTwo) {
+  using Number = TypeParam;
   // One ulp of the polynomials, and the rest of n π/2, 2⁻⁸⁶ n, against an
   // angle whose own rounding does not count.
   constexpr double kUlp = std::numeric_limits<double>::epsilon();
   for (int i = -4000; i <= 4000; ++i) {
     const double angle = 0.05 * i + 1e-3;
     Number many(0.0);
-    for (std::size_t j = 0; j < kLanes; ++j) {
+    for (std::size_t j = 0; j < Number::kCount; ++j) {
       many.set(j, angle * (1.0 + static_cast<double>(j)));
     }
     const Number s = sin(many), c = cos(many);
-    for (std::size_t j = 0; j < kLanes; ++j) {
+    for (std::size_t j = 0; j < Number::kCount; ++j) {
       ASSERT_NEAR(s[j], std::sin(many[j]), 2.0 * kUlp) << many[j];
       ASSERT_NEAR(c[j], std::cos(many[j]), 2.0 * kUlp) << many[j];
     }
@@ -33,6 +36,7 @@ TEST(Lane, HasSinesWithinAnUlpOrTwo) {
 }
 
 TEST(Lane, ChoosesAndDecidesForEachByItself) {
+  using Number = Lane<0, 8>;
   Number a(1.0);
   a.set(3, std::numeric_limits<double>::quiet_NaN());
   a.set(5, -4.0);

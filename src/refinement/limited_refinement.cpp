@@ -270,12 +270,10 @@ class LimitedSolve {
     loosened_.push_back(std::move(path));
     follow_tighter();
     double asked_below = kNear;  // the limits asked for are tried, twice
-    bool from_free = true, random = false;
     for (double leap = kLongest; leap > kShortest;) {
       const LoosenedPath reached = loosened_.back();
       if (reached.by == 0.0) {
         take(reached);
-        from_random_ = random && answer_;
         break;
       }
       const bool there = reached.by < kNothing && asked_below == 0.0;
@@ -292,13 +290,7 @@ class LimitedSolve {
           },
           kOfALeap);
       if (!found && next > std::max(0.0, shut_to_) && !stopped()) {
-        // What the free path has not led to it will hardly lead to from half
-        // as far.
-        found = path_under(
-            next, from_free ? &LimitedWays::find : &LimitedWays::from_random,
-            kOfALeap);
-        random = random || (found && !from_free);
-        if (!found) from_free = !from_free;
+        found = path_under(next, &LimitedWays::find, kOfALeap);
       }
       if (found) {
         loosened_.push_back(*std::move(found));

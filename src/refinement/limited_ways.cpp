@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "refinement/arc_following.hpp"
-#include "refinement/cold_paths.hpp"
 #include "refinement/open_conditions.hpp"
 #include "solvers/pivot_store.hpp"
 
@@ -180,19 +179,6 @@ std::optional<FittedPath> LimitedWays::follow_from_loosest() {
     return way.path ? from_nearby(*way.path) : std::nullopt;
   }
   return std::move(way.path);
-}
-
-std::optional<FittedPath> LimitedWays::from_random() {
-  constexpr int kStarts = 3;
-  const double each = (protocol_.most_work - protocol_.work) / (kStarts + 1);
-  for (const LimitedCurve& curve :
-       cold_paths(scene_, free_, phi_, protocol_.left(options_.ipopt), kStarts,
-                  each, protocol_)) {
-    tightening_.leave(protocol_.left(options_.ipopt).max_iterations);
-    std::optional<FittedPath> path = from_tight(curve);
-    if (path || mesh_ || ended()) return path;
-  }
-  return {};
 }
 
 std::optional<FittedPath> LimitedWays::from_mesh() {

@@ -47,8 +47,6 @@ class LimitedWays {
   [[nodiscard]] std::optional<FittedPath> from_mesh();
   /// The same with other work.
   [[nodiscard]] std::optional<FittedPath> from_mesh_again();
-  /// From a few random paths, each with a share of the work that is left.
-  [[nodiscard]] std::optional<FittedPath> from_random();
   /// Whether there is a path for it, and too little work was left.
   [[nodiscard]] bool mesh_wants_work() const {
     return tightening_.tight() && !wanted_.fixed() &&

@@ -245,7 +245,8 @@ std::string result_schema() {
   Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"},
                  {"title", "Result of brachisto solve"}};
   schema.update(schema_of(result_texts(), false));
-  // Of a document that has nothing else but a status and a message.
+  // Of a document that has nothing else but a status and a message: apart from
+  // the properties, which are the keys of a result.
   Json mistake;
   for (const char* text : {"file", "key", "message"}) {
     mistake[text] = {{"type", "string"}};
@@ -253,7 +254,7 @@ std::string result_schema() {
   for (const char* number : {"line", "column"}) {
     mistake[number] = {{"type", "integer"}};
   }
-  schema["properties"]["errors"] = {
+  schema["patternProperties"]["^errors$"] = {
       {"type", "array"},
       {"description", "of input that is refused: its mistakes"},
       {"items", {{"type", "object"}, {"properties", std::move(mistake)}}}};

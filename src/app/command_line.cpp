@@ -305,12 +305,10 @@ Flag sweep_directory(std::string& directory) {
           .required = true};
 }
 
-std::vector<Flag> CommonFlags::with(std::vector<Flag> own) {
+std::vector<Flag> CommonFlags::with(std::vector<Flag> own,
+                                    const char* text_of_file) {
   std::vector<Flag> flags{
-      {.name = "FILE",
-       .value = &file,
-       .text = "Problem file (YAML); - is standard input",
-       .required = true},
+      {.name = "FILE", .value = &file, .text = text_of_file, .required = true},
       {.name = "--set",
        .value = &overrides,
        .text = "Replace a value of the file, such as scene.body.k=1/4",

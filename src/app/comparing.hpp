@@ -28,9 +28,8 @@ struct ComparisonFlags : CommonFlags {
     own.push_back(directory_flag("--out", out, written));
     own.push_back({"--force", &force, "Replace existing files in DIR"});
     own.push_back(markdown_flag(markdown));
-    std::vector<Flag> all = CommonFlags::with(std::move(own));
-    all.front().text = "Problem file (YAML), by its name";
-    return all;
+    return CommonFlags::with(std::move(own),
+                             "Problem file (YAML), by its name");
   }
 };
 

@@ -27,6 +27,7 @@
 #include "brachisto/io/problem_file.hpp"
 #include "brachisto/report/result.hpp"
 #include "design/best_track.hpp"
+#include "io/input_tree.hpp"
 #include "math/wall_clock.hpp"
 #include "report/design_report.hpp"
 #include "sweep/directory_lock.hpp"
@@ -123,12 +124,13 @@ Searched search_all(const DesignFlags& flags, const sweep::Job& job,
 /// τ over two numbers of the body, the ways of the searches over it. A picture
 /// that is missing becomes a warning.
 std::vector<report::OutputFile> draw_map(const DesignFlags& flags,
+                                         const std::string& text,
                                          DesignAnswer& answer, const Body& best,
                                          const std::atomic<int>& signal,
                                          WallClock::time_point end,
                                          std::vector<std::string>& warnings) {
   const sweep::Job job =
-      sweep::read_design_map_job(flags.file, flags.overrides, best, flags.map);
+      sweep::design_map_job(text, flags.file, flags.overrides, best, flags.map);
   const sweep::ScratchDirectory scratch;
   sweep::Store store = sweep::Store::create(
       scratch.path(), sweep::store_info(job, sweep::Shard{}.name()));
@@ -153,9 +155,11 @@ std::vector<report::OutputFile> draw_map(const DesignFlags& flags,
 
 int run(const DesignFlags& flags) {
   const WallClock::time_point begin = WallClock::now();
+  // Once: it may be standard input, or change while bodies are searched for.
+  const std::string text = io::read_problem_bytes(flags.file);
   const io::ProblemFile problem =
-      io::read_problem_file(flags.file, flags.overrides);
-  const sweep::Job job = sweep::read_design_job(flags.file, flags.overrides);
+      io::read_problem_text(text, flags.file, flags.overrides);
+  const sweep::Job job = sweep::design_job(text, flags.file, flags.overrides);
   if (!flags.out.empty()) {
     std::vector<std::string> names = solution_files();
     if (flags.map > 0)
@@ -195,7 +199,7 @@ int run(const DesignFlags& flags) {
   }
   std::vector<report::OutputFile> further;
   if (flags.map > 0 && solution.verified() && signal.load() == 0) {
-    further = draw_map(flags, answer, solution.scene.body, signal, end,
+    further = draw_map(flags, text, answer, solution.scene.body, signal, end,
                        solution.warnings);
   }
   for (const std::string& warning : solution.warnings) warn(warning);

@@ -20,7 +20,9 @@ struct CommonFlags {
   bool quiet = false;
 
   /// Their descriptions, before those of one verb.
-  [[nodiscard]] std::vector<Flag> with(std::vector<Flag> own);
+  [[nodiscard]] std::vector<Flag> with(
+      std::vector<Flag> own,
+      const char* text_of_file = "Problem file (YAML); - is standard input");
 };
 
 [[nodiscard]] Verb solve_verb();

@@ -61,6 +61,7 @@ std::vector<Contender> contenders(const Subject& subject, int nodes,
 
 Subject read_subject(const std::string& file,
                      const std::vector<std::string>& overrides) {
+  check_named(file);
   Subject subject{file, overrides, io::read_problem_file(file, overrides)};
   if (subject.problem.scene.path) {
     throw io::InputError(

@@ -110,13 +110,15 @@ Measurement parse_measurement(const std::string& line) {
   }
 }
 
+void check_named(const std::string& file) {
+  if (file != io::kStandardInput) return;
+  throw io::IoError(
+      "-: a process for each solve reads the problem anew; expected the name "
+      "of a file");
+}
+
 Measurement measure(const Experiment& experiment,
                     const std::atomic<int>* interrupt) {
-  if (experiment.file == io::kStandardInput) {
-    throw io::IoError(
-        "-: a process for each solve reads the problem anew; expected the name "
-        "of a file");
-  }
   std::vector<std::string> arguments{"measure", experiment.file, "--json"};
   for (const std::string& change : experiment.overrides) {
     arguments.insert(arguments.end(), {"--set", change});

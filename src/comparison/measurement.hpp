@@ -65,8 +65,12 @@ struct Measurement {
 /// "solved", "failed", "limit", "crashed", "refused".
 [[nodiscard]] const char* name(Measurement::Outcome outcome);
 
+/// Before anything is read or run.
+/// \throws io::IoError  of what measure() cannot read: standard input
+void check_named(const std::string& file);
+
 /// Runs `PROGRAM measure`, which is this program.
-/// \throws Interrupted, io::IoError of standard input, std::system_error
+/// \throws Interrupted, std::system_error
 [[nodiscard]] Measurement measure(const Experiment& experiment,
                                   const std::atomic<int>* interrupt);
 

@@ -34,6 +34,7 @@ std::string tau_of(const Measurement& run) {
 std::vector<SolvedScene> solve_scenes(const std::vector<std::string>& files,
                                       const std::vector<std::string>& overrides,
                                       double seconds, const Hooks& hooks) {
+  std::ranges::for_each(files, check_named);
   std::vector<SolvedScene> out;
   for (const std::string& file : files) {
     if (hooks.announce) {

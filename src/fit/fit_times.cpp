@@ -24,12 +24,15 @@ using Eigen::VectorXd;
 
 constexpr const char* kOffset = "offset";
 
-/// Whether the laws of motion hold: A > 0 and D > 0 at every angle.
-bool is_evaluable(const Scene& scene) {
+/// Why the laws of motion do not hold at every angle, as they do where A > 0
+/// and D > 0; null if they do.
+const char* not_evaluable(const Scene& scene) {
   const Body& body = scene.body;
   const double least = (1.0 - body.eta_m) * (1.0 - body.eta_m);
-  return least + body.k > 0.0 &&
-         losses::bounded(body, scene.world.losses.factor(body));
+  if (!(least + body.k > 0.0)) return "no body has so little inertia";
+  return losses::bounded(body, scene.world.losses.factor(body))
+             ? nullptr
+             : "the losses are larger than any load";
 }
 
 /// The residuals of times, and their derivatives, by the unknowns: the
@@ -74,14 +77,18 @@ class Residuals {
       ++evaluations_;
       motion_.reset();
       const Scene scene = scene_at(x);
-      if (x.allFinite() && is_evaluable(scene)) motion_.emplace(scene, centre_);
+      if (x.allFinite() && not_evaluable(scene) == nullptr) {
+        motion_.emplace(scene, centre_);
+      }
     }
     return motion_ && !motion_->stall() ? &*motion_ : nullptr;
   }
   /// Why there is none.
   [[nodiscard]] std::string stall() const {
-    return motion_ ? motion_->stall()->message()
-                   : "losses are larger than any load, or k is negative";
+    if (motion_) return motion_->stall()->message();
+    const char* because =
+        at_.allFinite() ? not_evaluable(scene_at(at_)) : nullptr;
+    return because != nullptr ? because : "the numbers are not finite";
   }
 
   /// (t_i − t₀ − t(q_i; x))/σ_i; false if the body does not arrive.
@@ -183,10 +190,14 @@ void check_told_apart(const ScaledColumns& columns, const Residuals& of) {
 /// there: that is no minimum, and errors about it mean nothing.
 ///
 /// \param values  of the residuals, over sigma
-/// \param size    of the times likewise
-void check_is_minimum(const MatrixXd& J, const VectorXd& values, double size,
-                      Residuals& of, const VectorXd& x) {
+void check_is_minimum(const MatrixXd& J, const VectorXd& values,
+                      const std::vector<TimedPlace>& times, Residuals& of,
+                      const VectorXd& x) {
   constexpr double kOfRounding = 1e-9, kSteep = 1e-3, kStep = 1e-6;
+  double size = 0.0;  // of the times likewise
+  for (const TimedPlace& time : times) {
+    size = std::hypot(size, time.t / time.sigma);
+  }
   if (!(values.norm() > kOfRounding * size)) return;
   bool steep = false;
   for (Eigen::Index i = 0; i < J.cols(); ++i) {
@@ -300,11 +311,7 @@ Fit fit_times(const Scene& scene, const PlaneCurvePtr& centre,
   check_told_apart(columns, residuals);
   VectorXd last(rows);
   residuals.evaluate(x, last);
-  double size = 0.0;
-  for (const TimedPlace& time : times) {
-    size = std::hypot(size, time.t / time.sigma);
-  }
-  check_is_minimum(J, last, size, residuals, x);
+  check_is_minimum(J, last, times, residuals, x);
   Fit out;
   out.scene = residuals.scene_at(x);
   out.chi_squared = last.squaredNorm();

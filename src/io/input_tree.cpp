@@ -46,11 +46,7 @@ std::string read_all(std::istream& in, const fs::path& path, std::size_t most) {
 }  // namespace
 
 std::string read_problem_bytes(const fs::path& path) {
-  if (path == kStandardInput) {
-    // Some read their file more than once.
-    static const std::string kept = read_all(std::cin, path, kMaxFileSize);
-    return kept;
-  }
+  if (path == kStandardInput) return read_all(std::cin, path, kMaxFileSize);
   return read_file_bytes(path, kMaxFileSize,
                          "a problem file, or - for standard input");
 }

@@ -7,5 +7,8 @@ namespace brachisto::lanes {
 
 template struct Kernel<Instructions::Avx512, Surroundings{}>;
 template struct Kernel<Instructions::Avx512, Surroundings{.air = true}>;
+template struct Kernel<Instructions::Avx512, Surroundings{.field = true}>;
+template struct Kernel<Instructions::Avx512,
+                       Surroundings{.air = true, .field = true}>;
 
 }  // namespace brachisto::lanes

@@ -7,5 +7,8 @@ namespace brachisto::lanes {
 
 template struct Kernel<Instructions::Baseline, Surroundings{}>;
 template struct Kernel<Instructions::Baseline, Surroundings{.air = true}>;
+template struct Kernel<Instructions::Baseline, Surroundings{.field = true}>;
+template struct Kernel<Instructions::Baseline,
+                       Surroundings{.air = true, .field = true}>;
 
 }  // namespace brachisto::lanes

@@ -33,7 +33,7 @@ Sighting sighting_at(const LimitedCurve& curve, int point,
     if (!curve.active(point, limit)) continue;
     const double multiplier =
         curve.point().lambda[at(problem.layout().limit(point, limit))];
-    seen.held[i] = multiplier > 0.0 ? Held::AtUpper : Held::AtLower;
+    seen.held[i] = curve.held(point, limit);
     if (!problem.limits()[i].bounds_control()) continue;
     if (of_control < seen.held.size()) {
       const bool other = !last.empty() && last[i] != Held::No;

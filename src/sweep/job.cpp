@@ -74,12 +74,10 @@ Job read_job(const std::filesystem::path& path,
   return job_of(path.string(), std::move(text), overrides, false);
 }
 
-Job read_design_job(const std::filesystem::path& path,
-                    const std::vector<std::string>& overrides) {
-  std::string text = io::read_problem_bytes(path);
-  const io::ProblemFile problem =
-      io::read_problem_text(text, path.string(), overrides);
-  io::require_design(problem, path.string());
+Job design_job(const std::string& text, const std::string& name,
+               const std::vector<std::string>& overrides) {
+  const io::ProblemFile problem = io::read_problem_text(text, name, overrides);
+  io::require_design(problem, name);
   std::vector<int> starts(static_cast<std::size_t>(problem.design.starts));
   std::iota(starts.begin(), starts.end(), 1);
   if (problem.design.start) starts = {*problem.design.start};
@@ -89,19 +87,17 @@ Job read_design_job(const std::filesystem::path& path,
     return one.starts_with("design.start=");
   });
   all.push_back("sweep=" + json{{"design.start", starts}}.dump());
-  return job_of(path.string(), std::move(text), std::move(all), true);
+  return job_of(name, text, std::move(all), true);
 }
 
-Job read_design_map_job(const std::filesystem::path& path,
-                        const std::vector<std::string>& overrides,
-                        const Body& best, int count) {
-  std::string text = io::read_problem_bytes(path);
-  const DesignPlan plan =
-      io::read_problem_text(text, path.string(), overrides).design;
+Job design_map_job(const std::string& text, const std::string& name,
+                   const std::vector<std::string>& overrides, const Body& best,
+                   int count) {
+  const DesignPlan plan = io::read_problem_text(text, name, overrides).design;
   std::vector<BodyKey> axes = plan.free;
   std::ranges::sort(axes);
   if (axes.size() < 2) {
-    throw io::InputError({{.file = path.string(),
+    throw io::InputError({{.file = name,
                            .key = "design.free",
                            .message = "a map is over two of eta_m, theta_m, k "
                                       "and r; less are free"}});
@@ -136,7 +132,7 @@ Job read_design_map_job(const std::filesystem::path& path,
   add(BodyKey::K, "scene.body.k", best.k);
   add(BodyKey::Radius, "scene.body.radius", best.radius);
   all.push_back("sweep=" + section.dump());
-  return job_of(path.string(), std::move(text), std::move(all), false);
+  return job_of(name, text, std::move(all), false);
 }
 
 std::string to_line(const Job& job) {

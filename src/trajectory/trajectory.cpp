@@ -11,6 +11,7 @@
 #include "brachisto/math/index.hpp"
 #include "model/field.hpp"
 #include "model/start_angle.hpp"
+#include "transcription/held_control.hpp"
 
 namespace brachisto {
 
@@ -175,18 +176,15 @@ LimitedMotion::AtJunctions LimitedMotion::at_junctions() const {
     if (!limit.bounds_control()) continue;
     for (int e = 0; e < N; ++e) {
       const int first = std::max(0, e - 1) * p, end = std::min(N, e + 2) * p;
-      int at_lower = 0, at_upper = 0;
-      for (int c = first; c < end; ++c) {
-        if (!curve_.active(c, static_cast<int>(i))) continue;
-        const double value =
-            value_of(limit, natural(),
-                     curve_.state_at(c / p, points[brachisto::at(c % p)]));
-        ++(std::abs(value - limit.upper) < std::abs(value - limit.lower)
-               ? at_upper
-               : at_lower);
+      for (const nlp::Held where : {nlp::Held::AtLower, nlp::Held::AtUpper}) {
+        int there = 0;
+        for (int c = first; c < end; ++c) {
+          if (curve_.held(c, static_cast<int>(i)) == where) ++there;
+        }
+        if (there > 0 && there < end - first) {
+          see(e, limit, bound_of(limit, where));
+        }
       }
-      if (at_lower > 0 && at_lower < end - first) see(e, limit, limit.lower);
-      if (at_upper > 0 && at_upper < end - first) see(e, limit, limit.upper);
     }
   }
   return out;

@@ -116,8 +116,8 @@ class LimitedMotion final : public MeshMotion {
   [[nodiscard]] PathDiagnostics diagnose() const override;
 
  private:
-  /// The least R_n and 1 − r κ_c, if a limit of the control holds that begins or
-  /// ceases to do so within an element of there.
+  /// The least R_n and 1 − r κ_c, if a limit of the control holds that begins
+  /// or ceases to do so within an element of there.
   struct AtJunctions {
     double normal_force = std::numeric_limits<double>::infinity();
     double fold_margin = std::numeric_limits<double>::infinity();

@@ -37,24 +37,27 @@ LimitedCurve::LimitedCurve(std::shared_ptr<LimitedTime> problem,
   const VariableLayout& layout = problem_->layout();
   for (int c = 0; c < layout.num_points(); ++c) {
     for (int i = 0; i < layout.num_limits(); ++i) {
-      active_.push_back(set.constraints[brachisto::at(layout.limit(c, i))] !=
-                        nlp::Held::No);
+      held_.push_back(set.constraints[brachisto::at(layout.limit(c, i))]);
     }
   }
   // At the end multipliers vanish with p_β, whether a limit is active or not.
   const int limits = layout.num_limits();
   for (int i = 0; i < limits; ++i) {
-    const auto last = static_cast<int>(active_.size()) - limits + i;
-    active_[brachisto::at(last)] = active_[brachisto::at(last - limits)];
+    const auto last = static_cast<int>(held_.size()) - limits + i;
+    held_[brachisto::at(last)] = held_[brachisto::at(last - limits)];
   }
 }
 
 bool LimitedCurve::active(int point, int limit) const {
-  const VariableLayout& layout = problem_->layout();
   if (problem_->held()) {
-    return problem_->constraint_range(layout.limit(point, limit)).single();
+    return problem_->constraint_range(problem_->layout().limit(point, limit))
+        .single();
   }
-  return active_[brachisto::at(point * layout.num_limits() + limit)];
+  return held(point, limit) != nlp::Held::No;
+}
+
+nlp::Held LimitedCurve::held(int point, int limit) const {
+  return held_[brachisto::at(point * problem_->layout().num_limits() + limit)];
 }
 
 bool LimitedCurve::holds_control(int point) const {

@@ -95,6 +95,9 @@ class LimitedCurve {
 
   /// Whether a limit is held as an equation at a collocation point.
   [[nodiscard]] bool active(int point, int limit) const;
+  /// At which bound, if it does.
+  /// \pre limits are inequalities
+  [[nodiscard]] nlp::Held held(int point, int limit) const;
   /// Whether a limit of the control is one there.
   [[nodiscard]] bool holds_control(int point) const;
 
@@ -104,7 +107,7 @@ class LimitedCurve {
   std::shared_ptr<LimitedTime> problem_;
   std::shared_ptr<const PrimalDual> point_;
   double transit_time_ = 0.0;
-  std::vector<bool> active_;  ///< of inequalities
+  std::vector<nlp::Held> held_;  ///< inequalities, by point and limit
 };
 
 /// States, controls, costates and multipliers given as a function of the place

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <regex>
 #include <string>
 #include <vector>
@@ -45,6 +46,15 @@ TEST(New, WritesFilesOfEveryKindThatAreValidAndSolve) {
     EXPECT_EQ(solved.code, 0) << kind << "\n" << solved.out;
     EXPECT_NE(solved.out.find("verified"), std::string::npos) << solved.out;
   }
+}
+
+TEST(New, WantsTheNameOfAFile) {
+  const ScratchDirectory scratch;
+
+  const Output output = shell("brachisto new ./", scratch.path());
+
+  EXPECT_EQ(output.code, 2);
+  EXPECT_FALSE(std::filesystem::exists(scratch.path() / ".yaml"));
 }
 
 TEST(New, StatesBehindHashesWhatIsValidToo) {

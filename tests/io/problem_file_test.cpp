@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <numbers>
@@ -89,6 +90,14 @@ TEST(ProblemFile, ElementsArrive) {
   const ProblemFile problem = read(kBead + "discretisation: {elements: 40}\n");
 
   EXPECT_EQ(problem.options.of<Collocation>()->discretisation.elements, 40);
+}
+
+TEST(ProblemFile, ZeroHasNoSign) {
+  const Body body =
+      read(cylinder("radius: 1/3, eta_m: -0, theta_m: -0, k: 1/2")).scene.body;
+
+  EXPECT_FALSE(std::signbit(body.eta_m));
+  EXPECT_FALSE(std::signbit(body.theta_m));
 }
 
 TEST(ProblemFile, AbsentMeshKeysStayAbsent) {

@@ -132,8 +132,7 @@ Build BuildFlags::build() const {
               .scale = scale[0] / scale[1],
               .strip = strip_,
               .thickness = thickness_,
-              .hole = hole_,
-              .gauge = {}};
+              .hole = hole_};
   if (gauge_ > 0.0) build.gauge = gauge_;
   return build;
 }

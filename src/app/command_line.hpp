@@ -84,8 +84,8 @@ struct Flag {
 
 struct Verb {
   const char* name;
-  const char* text;  ///< in the help
-  std::vector<Flag> flags;
+  const char* text = "";  ///< in the help
+  std::vector<Flag> flags = {};
   std::string footer = {};
   std::function<int()> run;  ///< once the flags are read; returns the exit code
   bool hidden = false;

@@ -87,7 +87,6 @@ std::string offers(const CommandLine& command,
 Verb complete_verb(CommandLine (*whole)()) {
   const auto words = std::make_shared<std::vector<std::string>>();
   return {.name = "complete",
-          .text = "",
           .flags = {{.name = "WORD", .value = words.get()}},
           .run =
               [=] {

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -148,8 +147,7 @@ int run(const FitFlags& flags) {
   const Scene scene = without_whole_turns(problem.scene);
   const PlaneCurvePtr centre =
       scene.path ? centre_curve(scene) : fit::held_path(*solution.motion());
-  const StopScope scope(
-      StopCondition(std::numeric_limits<double>::infinity(), &signal));
+  const StopScope scope{StopCondition(&signal)};
   const fit::Fit found = fit::fit_times(
       scene, centre, fit::places_of(measured, PrescribedMotion(scene, centre)),
       asked);

@@ -110,7 +110,6 @@ Verb measure_verb() {
   const auto flags = std::make_shared<MeasureFlags>();
   return {
       .name = "measure",
-      .text = "",
       .flags = flags->with(
           {{.name = "--repetitions",
             .value = &flags->repetitions,

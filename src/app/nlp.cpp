@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -99,8 +98,7 @@ int run(const NlpFlags& flags) {
   }
   nlohmann::ordered_json described;
   if (program && !theirs) {
-    const StopScope scope(
-        StopCondition(std::numeric_limits<double>::infinity(), &signal));
+    const StopScope scope{StopCondition(&signal)};
     described = program_files::write_program(*program, output);
   }
 

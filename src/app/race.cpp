@@ -10,7 +10,6 @@
 #include <atomic>
 #include <cstddef>
 #include <filesystem>
-#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -102,8 +101,7 @@ int run(const RaceFlags& flags) {
     plot::check_ends(file, racers.front(), racers.back());
   }
   const std::string html = [&] {
-    const StopScope scope(
-        StopCondition(std::numeric_limits<double>::infinity(), &signal));
+    const StopScope scope{StopCondition(&signal)};
     return plot::race_page(racers, flags.same_track);
   }();
   report::write_files(directory, {{page, html}}, flags.force);

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
@@ -136,10 +135,7 @@ int hand_out(Solution& solution, SolutionOutput output,
   } else {
     // What a signal has ended already is written all the same.
     std::optional<StopScope> scope;
-    if (solution.verified()) {
-      scope.emplace(
-          StopCondition(std::numeric_limits<double>::infinity(), &signal));
-    }
+    if (solution.verified()) scope.emplace(StopCondition(&signal));
     std::vector<report::OutputFile> files = path_files(solution, signal);
     std::ranges::move(output.further, std::back_inserter(files));
     json = report::result_json(solution, output.design);

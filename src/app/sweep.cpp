@@ -187,7 +187,6 @@ not, 6 I/O, 130/143 after SIGINT/SIGTERM with the results kept.)",
 Verb worker_verb() {
   return {.name = "worker",
           .text = "Solve what the manager of a sweep asks for",
-          .flags = {},
           .run =
               [] {
                 std::ios::sync_with_stdio(false);

@@ -3,22 +3,31 @@
 
 // brachisto table FILE…: many scenes, a row each.
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/exit_code.hpp"
 #include "app/signals.hpp"
 #include "app/terminal.hpp"
 #include "app/verbs.hpp"
-#include "comparison/scene_table.hpp"
+#include "brachisto/io/problem_file.hpp"
+#include "comparison/comparison_text.hpp"
+#include "comparison/statistics.hpp"
 
 namespace brachisto::app {
 
 namespace {
 
-using comparison::SolvedScene;
-using report::TableForm;
+using comparison::Measurement;
+using Json = nlohmann::ordered_json;
 
 struct TableFlags {
   std::vector<std::string> files, overrides;
@@ -26,15 +35,92 @@ struct TableFlags {
   bool json = false, quiet = false, markdown = false;
 };
 
+struct SolvedScene {
+  std::string file;
+  Measurement run;
+
+  [[nodiscard]] bool verified() const { return run.solved() && run.verified; }
+  [[nodiscard]] std::string name() const {
+    return std::filesystem::path(file).stem().string();
+  }
+};
+
+/// Each in a process of its own, one after the other, by the method that its
+/// file asks for. A file with mistakes is one that is refused.
+std::vector<SolvedScene> solve_scenes(const TableFlags& flags) {
+  const std::atomic<int>& signal = catch_signals();
+  const auto announce = progress_lines(flags.quiet);
+  std::ranges::for_each(flags.files, comparison::check_named);
+  std::vector<SolvedScene> out;
+  for (const std::string& file : flags.files) {
+    announce(
+        fmt::format("{} of {}: {}", out.size() + 1, flags.files.size(), file));
+    Measurement run;
+    try {
+      run = comparison::measure(
+          {.file = file,
+           .overrides = flags.overrides,
+           .options = io::read_problem_file(file, flags.overrides).options,
+           .seconds = flags.seconds},
+          &signal);
+    } catch (const io::InputError& error) {
+      run.outcome = Measurement::Outcome::Refused;
+      run.cause = io::to_string(error.diagnostics().front());
+    }
+    out.push_back({file, std::move(run)});
+  }
+  return out;
+}
+
+/// A row for each scene, and how many are verified.
+std::string summary(const std::vector<SolvedScene>& scenes,
+                    report::TableForm form) {
+  report::Rows rows{{"scene", "τ", "verdict", "iterations", "unknowns",
+                     "processor time [s]", "memory"}};
+  for (const SolvedScene& scene : scenes) {
+    const Measurement& run = scene.run;
+    rows.push_back(
+        {scene.name(),
+         scene.verified()
+             ? report::with_error(run.tau,
+                                  run.estimated_error.value_or(0.0) * run.tau)
+             : "—",
+         !run.solved()  ? name(run.outcome)
+         : run.verified ? "verified"
+                        : "NOT VERIFIED",
+         comparison::iterations_text(run), report::or_dash(run.unknowns),
+         run.cpu.empty()
+             ? "—"
+             : report::seconds_text(comparison::spread_of(run.cpu).median),
+         report::memory_text(run.peak_memory)});
+  }
+  std::string out = report::table(rows, form);
+  out += fmt::format("\n{} of {} verified\n",
+                     std::ranges::count_if(scenes, &SolvedScene::verified),
+                     scenes.size());
+  for (const SolvedScene& scene : scenes) {
+    if (scene.run.cause.empty()) continue;
+    out += fmt::format("{}: {}\n", scene.name(), scene.run.cause);
+  }
+  return out;
+}
+
+std::string document_of(const std::vector<SolvedScene>& scenes) {
+  Json rows = Json::array();
+  for (const auto& [file, run] : scenes) {
+    Json& row = rows.emplace_back(Json{{"file", file}});
+    row.update(comparison::document_of(run));
+  }
+  return rows.dump(2) + "\n";
+}
+
 int run(const TableFlags& flags) {
-  const std::vector<SolvedScene> scenes =
-      comparison::solve_scenes(flags.files, flags.overrides, flags.seconds,
-                               {&catch_signals(), progress_lines(flags.quiet)});
+  const std::vector<SolvedScene> scenes = solve_scenes(flags);
   if (flags.json) {
-    print_data(comparison::to_json(scenes));
+    print_data(document_of(scenes));
   } else {
-    print(comparison::summary(
-        scenes, flags.markdown ? TableForm::Markdown : TableForm::Text));
+    print(summary(scenes, flags.markdown ? report::TableForm::Markdown
+                                         : report::TableForm::Text));
   }
   return kSuccess;
 }

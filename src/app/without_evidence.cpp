@@ -14,7 +14,6 @@ namespace {
 Verb left_out(const char* name, bool hidden = false) {
   return {.name = name,
           .text = "Left out of this build",
-          .flags = {},
           .footer = "Configure with -DBRACHISTO_EVIDENCE=ON to have it.",
           .run =
               [] {

@@ -120,7 +120,7 @@ std::optional<int> promised_order(const ComparedMethod& method, bool limited) {
 
 SolveOptions options_of(const ComparedMethod& method, const Fineness& fineness,
                         const SolveOptions& base) {
-  SolveOptions options{.method = {}, .limits = base.limits};
+  SolveOptions options{.limits = base.limits};
   const auto stated = base.or_default<Collocation>();
   auto& program = options.use<Collocation>();
   program.linear_solver = stated.linear_solver;

@@ -128,7 +128,6 @@ void add_upright(report::Chart& chart, double error, Curve line) {
 void add_spoken_error(report::Chart& chart) {
   add_upright(chart, kSpokenError,
               {.name = "error of " + error_words(kSpokenError),
-               .points = {},
                .stroke = Stroke::Dashed,
                .colour = "#1f5fa8",
                .width = 1.2,
@@ -214,7 +213,6 @@ class Diagram {
     add_upright(chart_, found_.tolerance(),
                 {.name = found_.polished() ? "KKT tolerance, before the polish"
                                            : "KKT tolerance",
-                 .points = {},
                  .stroke = Stroke::Dotted,
                  .colour = kGrey,
                  .width = 1.2,
@@ -247,7 +245,6 @@ class Diagram {
 
   void add_line(const PrecisionLine& line, const Look& look) {
     Curve curve{.name = key_of(line),
-                .points = {},
                 .stroke = look.stroke,
                 .colour = look.colour,
                 .mark = look.mark,
@@ -318,7 +315,6 @@ class Diagram {
     for (std::size_t i = 0; i < found_.lines.size(); ++i) {
       const PrecisionLine& line = found_.lines[i];
       Curve crosses{.name = words(line.method) + ": none",
-                    .points = {},
                     .colour = looks_[i].colour,
                     .width = 0.0,
                     .mark = Mark::Cross,
@@ -399,13 +395,11 @@ std::vector<Picture> pictures_of(const MethodComparison& made) {
     const double x = std::max({*row.error, made.reference->error,
                                std::numeric_limits<double>::epsilon()});
     const std::string name = report::as_rich_text(row.label);
-    chart.curves.push_back({.name = {},
-                            .points = {{x, times.least}, {x, times.greatest}},
+    chart.curves.push_back({.points = {{x, times.least}, {x, times.greatest}},
                             .colour = look.colour,
                             .width = kBar,
                             .id = row.label + " spread"});
-    chart.curves.push_back({.name = {},
-                            .points = {{x, times.median}},
+    chart.curves.push_back({.points = {{x, times.median}},
                             .colour = look.colour,
                             .width = 0.0,
                             .mark = look.mark,

@@ -7,8 +7,6 @@
 
 namespace brachisto {
 
-namespace {
-
 using Json = nlohmann::ordered_json;
 
 Json numbers_json(const NamedNumbers& numbers) {
@@ -16,6 +14,8 @@ Json numbers_json(const NamedNumbers& numbers) {
   for (const auto& [name, value] : numbers) json[name] = value;
   return json;
 }
+
+namespace {
 
 NamedNumbers numbers_from(const Json& json) {
   NamedNumbers numbers;

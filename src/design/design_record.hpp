@@ -12,6 +12,9 @@
 
 namespace brachisto {
 
+/// Numbers by their names.
+[[nodiscard]] nlohmann::ordered_json numbers_json(const NamedNumbers& numbers);
+
 /// The search without the solution of its answer; doubles survive bit for bit.
 [[nodiscard]] nlohmann::ordered_json to_json(const DesignSearch& search);
 /// \throws std::exception  of nlohmann::json, if it is no search

@@ -159,18 +159,12 @@ report::Figure residual_figure(const Fit& fit) {
   chart.subtitle = quality(fit);
   chart.x.label = "arc length s of the path of the centre [m]";
   chart.y.label = "residual [ms]";
-  report::Curve zero{.name = "",
-                     .points = {},
-                     .colour = "#666666",
-                     .width = 0.9,
-                     .id = "zero"};
+  report::Curve zero{.colour = "#666666", .width = 0.9, .id = "zero"};
   report::Curve spread{.name = fit.sigma_known ? "± sigma" : "",
-                       .points = {},
                        .colour = "#4575b4",
                        .width = 0.9,
                        .id = "sigma"};
   report::Curve marks{.name = "times",
-                      .points = {},
                       .colour = "#000000",
                       .width = 0.0,
                       .mark = report::Mark::Disc,

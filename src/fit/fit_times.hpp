@@ -6,17 +6,44 @@
 
 #pragma once
 
+#include <array>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "brachisto/model/scene.hpp"
 #include "brachisto/trajectory/motion.hpp"
 #include "fit/measurements.hpp"
-#include "fit/parameters.hpp"
 #include "model/plane_curve.hpp"
+#include "trajectory/time_sensitivity.hpp"
 
 namespace brachisto::fit {
+
+/// A number that can be fitted.
+struct Parameter {
+  const char* key;      ///< of problem files
+  MotionNumber number;  ///< by which times are derived
+  bool of_bead;         ///< or of what rolls
+  double& (*of)(Scene&);
+};
+
+inline constexpr std::array<Parameter, 3> kParameters{{
+    {"scene.losses.rolling", MotionNumber::Loss, false,
+     [](Scene& scene) -> double& { return scene.world.losses.rolling; }},
+    {"scene.losses.sliding", MotionNumber::Loss, true,
+     [](Scene& scene) -> double& { return scene.world.losses.sliding; }},
+    {"scene.body.k", MotionNumber::Inertia, false,
+     [](Scene& scene) -> double& { return scene.body.k; }},
+}};
+
+/// The one of that key, or null.
+[[nodiscard]] const Parameter* find_parameter(std::string_view key);
+
+/// Why a scene has no such number; "" if it has.
+[[nodiscard]] std::string objection(const Parameter& parameter,
+                                    const Scene& scene);
 
 /// The path of the centre of a motion as a curve of its own, on which other
 /// bodies may be put: through a fine sample of it, to the fourth order where

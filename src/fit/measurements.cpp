@@ -112,10 +112,13 @@ MeasuredRow row_of(std::string_view line, int number,
     if (name == kT) {
       row.t = value;
     } else if (name == kSigma) {
-      if (!(value > 0.0)) {
-        refuse(
-            file, number, column, name,
-            fmt::format("{:g} was read; expected a number in s, > 0", value));
+      // Times count by its inverse square.
+      constexpr double kLeast = 1e-12, kMost = 1e12;
+      if (!(value >= kLeast && value <= kMost)) {
+        refuse(file, number, column, name,
+               fmt::format("{:g} was read; expected a number in s from {:g} to "
+                           "{:g}",
+                           value, kLeast, kMost));
       }
       row.sigma = value;
     } else {

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 
 #include "brachisto/io/problem_file.hpp"
 #include "io/visible_text.hpp"
@@ -31,7 +30,7 @@ namespace {
 /// In the order of the inputs.
 std::vector<Diagnostic> diagnostics_of(
     std::vector<Finding> ordered, const std::vector<std::string>& sources) {
-  std::ranges::stable_sort(ordered, std::less<>{}, &Finding::position);
+  std::ranges::stable_sort(ordered, {}, &Finding::position);
   std::vector<Diagnostic> diagnostics;
   diagnostics.reserve(ordered.size());
   for (Finding& finding : ordered) {

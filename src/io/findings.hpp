@@ -6,9 +6,9 @@
 
 #pragma once
 
+#include <compare>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <vector>
 
 #include "brachisto/io/problem_file.hpp"
@@ -23,10 +23,7 @@ struct Position {
   int column = 0;  ///< from 1, in characters
 
   /// Order of the inputs, and of reading within one.
-  friend bool operator<(const Position& a, const Position& b) {
-    return std::tie(a.source, a.line, a.column) <
-           std::tie(b.source, b.line, b.column);
-  }
+  friend auto operator<=>(const Position&, const Position&) = default;
 };
 
 /// A mistake.

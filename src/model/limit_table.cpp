@@ -51,8 +51,6 @@ constexpr LimitEntry kFrictionEntry{
     .meaning =
         "μ, coefficient of friction: R_t from −μ R_n to μ R_n; of a ball "
         "R_n R/r_e, which its walls press in sum, stands for R_n",
-    .unit = "",
-    .dimension = {},
     .allowed = Allowed::Positive,
     .reason = "for it is friction that turns the body",
     .bound_in = [](PathLimits& l) -> Number& { return l.friction; },
@@ -93,9 +91,7 @@ constexpr LimitEntry kLeastForceEntry{
     .key = "scene.limits.normal_force.min",
     .meaning = "R_n ≥ this",
     .unit = "m g",
-    .dimension = {},
     .allowed = Allowed::Any,
-    .reason = "",
     .bound_in = [](PathLimits& l) -> Number& { return l.normal_min; },
     .words =
         [](const PathLimits&, double least) {
@@ -130,7 +126,6 @@ constexpr LimitEntry kGreatestForceEntry{
     .key = "scene.limits.normal_force.max",
     .meaning = "R_n ≤ this",
     .unit = "m g",
-    .dimension = {},
     .allowed = Allowed::Positive,
     .reason = "for the track has to carry the body",
     .bound_in = [](PathLimits& l) -> Number& { return l.normal_max; },
@@ -229,8 +224,6 @@ constexpr LimitEntry kValleyEntry{
 constexpr LimitEntry kFoldMarginEntry{
     .key = "scene.limits.fold_margin",
     .meaning = "1 − r κ_c ≥ this, which is 0 where the track folds",
-    .unit = "",
-    .dimension = {},
     .allowed = Allowed::Fraction,
     .reason = "for m = 1 − r κ_c is 1 on a straight track and 0 where it folds",
     .bound_in = [](PathLimits& l) -> Number& { return l.fold_margin; },
@@ -256,7 +249,6 @@ constexpr LimitEntry kFloorEntry{
     .unit = "m",
     .dimension = {1, 0},
     .allowed = Allowed::Any,
-    .reason = "",
     .bound_in = [](PathLimits& l) -> Number& { return l.floor; },
     .words =
         [](const PathLimits&, double D) {

@@ -37,12 +37,12 @@ struct FreePath {
 /// One bound: what units, checks, problem files, words, results and the way
 /// from a path without limits know of it. Its formula is value_of().
 struct LimitEntry {
-  const char* key;      ///< of problem files, below "scene.limits."
-  const char* meaning;  ///< in the words of their reference
-  const char* unit;     ///< of SI, or "m g"
-  Dimension dimension;
+  const char* key;        ///< of problem files, below "scene.limits."
+  const char* meaning;    ///< in the words of their reference
+  const char* unit = "";  ///< of SI, or "m g"
+  Dimension dimension = {};
   Allowed allowed;
-  const char* reason;  ///< why nothing else is
+  const char* reason = "";  ///< why nothing else is
   std::optional<double>& (*bound_in)(PathLimits&);
   BoundInWords (*words)(const PathLimits&, double bound);
   /// Distance from the bound in its unit, negative beyond it:

@@ -313,10 +313,7 @@ std::string matrix(const Json& result, const Scene& scene) {
 std::string all_that_is_known(const Json& result, const Scene& scene) {
   const auto folded = [](const std::string& summary, const std::string& content,
                          bool open = false) {
-    return content.empty()
-               ? ""
-               : fmt::format("<details{}><summary>{}</summary>\n{}</details>\n",
-                             open ? " open=\"open\"" : "", summary, content);
+    return content.empty() ? "" : report::folded_html(summary, content, open);
   };
   const auto [passed, checks] = checks_of(result);
   return folded(fmt::format("The certificate: {} of {} checks passed", passed,

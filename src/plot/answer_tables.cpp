@@ -363,8 +363,9 @@ std::string provenance_tables(const Json& result) {
   }
   add_input(options, at(at(result, "provenance"), "options"), "");
   return table({"key", "value", "meaning"}, rows, "values") +
-         "<details><summary>Options, defaults filled in</summary>\n" +
-         table({"key", "value", "meaning"}, options, "values") + "</details>\n";
+         report::folded_html(
+             "Options, defaults filled in",
+             table({"key", "value", "meaning"}, options, "values"));
 }
 
 }  // namespace brachisto::plot

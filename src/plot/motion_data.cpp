@@ -144,7 +144,7 @@ std::string motion_data(const TrajectoryTable& rows, const Scene& scene,
   std::string_view before = "";
   for (const TableColumn& column : rows.columns()) {
     if (!is_drawn(column)) continue;
-    const ShownRange range = shown_range(rows, column.values);
+    const report::Extent range = shown_range(rows, column.values);
     out += fmt::format("{}{}:[{},{}]", before, quoted(column.name),
                        digits(range.low), digits(range.high));
     before = ",";

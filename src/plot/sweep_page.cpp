@@ -127,8 +127,7 @@ std::string axes_table(const SweepTable& table) {
       row("–", varies(c) ? "follows" : "fixed", table.columns[c]);
   }
   for (const SweepConstant& constant : table.constants) {
-    row("–", "fixed",
-        {.key = constant.key, .numbers = {constant.value}, .words = {}});
+    row("–", "fixed", {.key = constant.key, .numbers = {constant.value}});
   }
   return out + "</tbody></table>\n";
 }

@@ -19,10 +19,12 @@ namespace brachisto::plot {
 
 namespace {
 
+using report::Extent;
+
 /// What is compared between rows: a column in units of what is visible of it.
 struct Compared {
   const std::vector<double>* values;
-  ShownRange range;  ///< what lies outside is not looked at
+  Extent range;  ///< what lies outside is not looked at
 };
 
 /// The slope angle turns the contact about the centre, θ the body: what they
@@ -35,17 +37,17 @@ std::vector<Compared> compared(const TrajectoryTable& table, const Body& body,
   }
   const auto extent = [&](std::string_view name) {
     const auto [low, high] = std::ranges::minmax(table[name]);
-    return ShownRange{low, high};
+    return Extent{low, high};
   };
-  const ShownRange x = extent("x_b"), z = extent("z_b");
+  const Extent x = extent("x_b"), z = extent("z_b");
   const double size = std::max(x.width(), z.width());
   for (const std::string_view place : {"x_b", "z_b"}) {
-    const ShownRange range = extent(place);
+    const Extent range = extent(place);
     all.push_back({&table[place], {range.low, range.low + size}});
   }
   if (body.rolls()) {
     const double turn = size / body.radius;  // [rad] that are seen as much
-    const ShownRange beta = extent("beta");
+    const Extent beta = extent("beta");
     all.push_back({&table["beta"], {beta.low, beta.low + turn}});
   }
   return all;
@@ -129,8 +131,8 @@ Miss worst_miss(const TrajectoryTable& table, const TrajectoryTable& few,
 
 }  // namespace
 
-ShownRange shown_range(const TrajectoryTable& table,
-                       const std::vector<double>& values) {
+Extent shown_range(const TrajectoryTable& table,
+                   const std::vector<double>& values) {
   constexpr double kStart = 0.02, kOutside = 0.01, kAll = 3.0;
   const std::vector<double>& t = table.time();
   std::vector<double> sorted;
@@ -139,12 +141,12 @@ ShownRange shown_range(const TrajectoryTable& table,
       sorted.push_back(values[i]);
     }
   }
-  if (sorted.empty()) return {};
+  if (sorted.empty()) return {0.0, 0.0};
   std::ranges::sort(sorted);
-  const ShownRange all{sorted.front(), sorted.back()};
+  const Extent all{sorted.front(), sorted.back()};
   const auto outside =
       static_cast<std::size_t>(kOutside * static_cast<double>(sorted.size()));
-  const ShownRange most{sorted[outside], sorted[sorted.size() - 1 - outside]};
+  const Extent most{sorted[outside], sorted[sorted.size() - 1 - outside]};
   return all.width() <= kAll * most.width() ? all : most;
 }
 

@@ -15,27 +15,23 @@
 #include "brachisto/model/body.hpp"
 #include "plot/trajectory_table.hpp"
 #include "report/result_texts.hpp"
+#include "report/scale.hpp"
 
 namespace brachisto::plot {
 
 /// Where the values of a quantity lie but for those that would leave no room
-/// for the others, as curvatures do that grow without bound.
-struct ShownRange {
-  double low = 0.0, high = 0.0;
-
-  [[nodiscard]] double width() const { return high - low; }
-};
-
-/// From the first to the last percentile of the finite values, or of all if
-/// that takes at most three times as much; without the first fiftieth of the
-/// time, in which forces and curvatures run towards limits of their own.
-[[nodiscard]] ShownRange shown_range(const TrajectoryTable& table,
-                                     const std::vector<double>& values);
+/// for the others, as curvatures do that grow without bound: from the first to
+/// the last percentile of the finite values, or of all if that takes at most
+/// three times as much; without the first fiftieth of the time, in which forces
+/// and curvatures run towards limits of their own. From 0 to 0 if there are
+/// none.
+[[nodiscard]] report::Extent shown_range(const TrajectoryTable& table,
+                                         const std::vector<double>& values);
 
 /// A quantity that a page shows as a curve.
 struct ShownCurve {
   std::string column;
-  ShownRange range;
+  report::Extent range;
 };
 
 /// A table of some rows of another one, and by how much it misses the others.

@@ -28,10 +28,7 @@ MeshPath path_of(const Answer& answer) {
 Place place_of(const Answer& answer, const MeshPath& path, double sigma,
                PathValues here) {
   keep_in_bounds(answer.made_of.statement, answer.made_of.scales, here);
-  Place out{.time = sigma * path.duration(),
-            .states = {},
-            .controls = {},
-            .costates = {}};
+  Place out{.time = sigma * path.duration()};
   const std::size_t states = answer.made_of.statement.states.size();
   for (std::size_t s = 0; s < states; ++s) {
     out.states.push_back(here.states[s] * answer.made_of.scales[s]);

@@ -171,11 +171,8 @@ ProgramCheck check_program(nlp::Problem& problem, const PrimalDual& point) {
   const auto variable = [&](int i) { return problem.variable_name(i); };
   const auto constraint = [&](int i) { return problem.constraint_name(i); };
 
-  DerivativeCheck gradient{.name = "gradient",
-                           .entries = at(n),
-                           .rows = 1,
-                           .columns = n,
-                           .worst_row = {}};
+  DerivativeCheck gradient{
+      .name = "gradient", .entries = at(n), .rows = 1, .columns = n};
   checker.check(
       gradient, [&] { return Vector{problem.eval_f()}; },
       [&](const Vector& d) {
@@ -189,11 +186,8 @@ ProgramCheck check_program(nlp::Problem& problem, const PrimalDual& point) {
 
   const nlp::SparsityPattern& jacobian = problem.jac_g_pattern();
   Vector values(jacobian.num_entries());
-  DerivativeCheck first{.name = "Jacobian",
-                        .entries = values.size(),
-                        .rows = m,
-                        .columns = n,
-                        .worst_row = {}};
+  DerivativeCheck first{
+      .name = "Jacobian", .entries = values.size(), .rows = m, .columns = n};
   checker.check(
       first,
       [&] {
@@ -213,11 +207,8 @@ ProgramCheck check_program(nlp::Problem& problem, const PrimalDual& point) {
 
   const nlp::SparsityPattern& hessian = problem.hess_lag_pattern();
   Vector curvatures(hessian.num_entries());
-  DerivativeCheck second{.name = "Hessian",
-                         .entries = curvatures.size(),
-                         .rows = n,
-                         .columns = n,
-                         .worst_row = {}};
+  DerivativeCheck second{
+      .name = "Hessian", .entries = curvatures.size(), .rows = n, .columns = n};
   checker.check(
       second,
       [&] {

@@ -28,9 +28,9 @@ struct DerivativeCheck {
   std::string name;         ///< "gradient", "Jacobian", "Hessian"
   std::size_t entries = 0;  ///< of the pattern
   int rows = 0, columns = 0;
-  double largest = 0.0;     ///< of D d, and of what differences give
-  double difference = 0.0;  ///< the largest, relative to the row's terms
-  std::string worst_row;    ///< where
+  double largest = 0.0;        ///< of D d, and of what differences give
+  double difference = 0.0;     ///< the largest, relative to the row's terms
+  std::string worst_row = {};  ///< where
 
   /// What differences can tell.
   static constexpr double kAllowed = 1e-8;

@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -20,10 +19,6 @@
 namespace brachisto::python {
 
 namespace {
-
-StopCondition unless(const std::atomic<int>& interrupt) {
-  return {std::numeric_limits<double>::infinity(), &interrupt};
-}
 
 /// The directory and the name of a file.
 std::pair<std::filesystem::path, std::string> place_of(
@@ -49,7 +44,7 @@ std::string Answered::summary() const {
 
 std::string page_of(const Answered& answered,
                     const std::atomic<int>& interrupt) {
-  const StopScope scope(unless(interrupt));
+  const StopScope scope{StopCondition(&interrupt)};
   return plot::answer_page(report::Json::parse(answered.json()),
                            answered.solution.scene, table_of(answered));
 }
@@ -94,7 +89,7 @@ std::vector<std::string> Race::behind() const {
 }
 
 std::string Race::page(const std::atomic<int>& interrupt) const {
-  const StopScope scope(unless(interrupt));
+  const StopScope scope{StopCondition(&interrupt)};
   return plot::race_page(racers_, same_track_);
 }
 

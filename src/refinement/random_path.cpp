@@ -133,7 +133,6 @@ PrimalDual start_at(
   PrimalDual start =
       sample_at_mesh(problem, rolling_time, [&](double sigma) -> LimitedPoint {
         return {.state = at(sigma),
-                .p = {},
                 .multipliers = std::vector<double>(problem.limits().size())};
       });
   start.lambda.clear();

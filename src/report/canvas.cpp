@@ -16,7 +16,7 @@ namespace {
 /// Commands that lay out the ticks of an axis.
 std::string tics(char name, const Side& side, const Extent& range) {
   constexpr double kManyDegrees = 240.0, kFewDegrees = 60.0, kDecades = 1e3;
-  const double span = range.high - range.low;
+  const double span = range.width();
   if (!side.words.empty()) {
     std::string out;
     for (std::size_t i = 0; i < side.words.size(); ++i) {

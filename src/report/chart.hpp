@@ -28,8 +28,8 @@ enum class Mark { None, Disc, Circle, Square, Triangle, Diamond, Cross };
 
 /// One line of a chart. Where a coordinate is not finite it is interrupted.
 struct Curve {
-  std::string name;  ///< rich text for the key; empty: not in the key
-  std::vector<Datum> points;
+  std::string name = {};  ///< rich text for the key; empty: not in the key
+  std::vector<Datum> points = {};
   Stroke stroke = Stroke::Solid;
   std::string colour = "#000000";
   double width = 1.8;  ///< [px]; 0: marks alone
@@ -42,7 +42,7 @@ struct Curve {
 
 /// A filled polygon behind the curves.
 struct Area {
-  std::string name;  ///< rich text for the key; empty: not in the key
+  std::string name = {};  ///< rich text for the key; empty: not in the key
   std::vector<Datum> outline;
   std::string fill = "#e8e8e8";
 };

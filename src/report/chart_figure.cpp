@@ -68,7 +68,7 @@ class Drawing {
     sketches();
     notes();
     plot();
-    SceneCells scenes{.cells = {}, .per_row = chart_.scenes_per_curve};
+    SceneCells scenes{.per_row = chart_.scenes_per_curve};
     for (const auto& [scene, at] : chart_.scenes) {
       scenes.cells.push_back(canvas_.cell(scene, at.x, at.y));
     }
@@ -98,8 +98,8 @@ class Drawing {
       constexpr double kRoom = 0.03;  // of the side
       if (!(range.low <= range.high)) range = {0.0, 1.0};
       const bool logarithmic = side.scale == Scale::Logarithmic;
-      const double span = logarithmic ? std::log(range.high / range.low)
-                                      : range.high - range.low;
+      const double span =
+          logarithmic ? std::log(range.high / range.low) : range.width();
       const double room =
           kRoom * (span > 0.0 ? span : std::max(1.0, std::abs(range.low)));
       range.low = side.low.value_or(logarithmic ? range.low * std::exp(-room)
@@ -112,15 +112,15 @@ class Drawing {
     if (!equal_) return;
     // A range is widened about its middle rather than a scale changed.
     const auto widen = [](Extent& range, double span) {
-      const double more = 0.5 * (span - (range.high - range.low));
+      const double more = 0.5 * (span - range.width());
       range = {range.low - more, range.high + more};
     };
-    const double ratio = (y_.high - y_.low) / (x_.high - x_.low);
+    const double ratio = y_.width() / x_.width();
     plot_height_ = std::clamp(kPlotWidth * ratio, kLeast, kLargest);
     if (kPlotWidth * ratio < kLeast) {
-      widen(y_, (x_.high - x_.low) * kLeast / kPlotWidth);
+      widen(y_, x_.width() * kLeast / kPlotWidth);
     } else if (kPlotWidth * ratio > kLargest) {
-      widen(x_, (y_.high - y_.low) * kPlotWidth / kLargest);
+      widen(x_, y_.width() * kPlotWidth / kLargest);
     }
   }
 
@@ -166,9 +166,9 @@ class Drawing {
 
   void sketches() {
     // Of one pixel, in units of the axes, which are linear.
-    const double x_unit = (x_.high - x_.low) / kPlotWidth;
+    const double x_unit = x_.width() / kPlotWidth;
     const double y_unit =
-        (y_.high - y_.low) / plot_height_ * (chart_.y_down ? 1.0 : -1.0);
+        y_.width() / plot_height_ * (chart_.y_down ? 1.0 : -1.0);
     const auto circle = [&](Datum at, double radius, std::string_view style) {
       canvas_.put(
           "set object circle at {:.12g},{:.12g} size screen {:.5f} front {}\n",

@@ -116,19 +116,13 @@ std::vector<Cells> cells_of(const Solution& solution) {
 }
 
 std::string csv(const Motion& motion, const std::vector<Cells>& columns) {
-  std::string out;
-  for (const Cells& column : columns) {
-    out += (out.empty() ? "" : ",") + column.name;
-  }
-  out += '\n';
+  std::string out = csv_row(columns, &Cells::name);
   for (const TrajectoryPoint& row : motion.at_nodes()) {
     check_stop();
-    for (const Cells& column : columns) {
-      if (&column != &columns.front()) out += ',';
-      if (column.words) out += column.words(row);
-      if (column.number) out += in_full(column.number(row));
-    }
-    out += '\n';
+    out += csv_row(columns, [&](const Cells& column) -> std::string {
+      if (column.words) return column.words(row);
+      return column.number ? in_full(column.number(row)) : "";
+    });
   }
   return out;
 }

@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -17,6 +18,17 @@ namespace brachisto::report {
 /// begins as a formula stands an apostrophe. Not for numbers, whose minus is a
 /// sign.
 [[nodiscard]] std::string csv_field(std::string_view text);
+
+/// A row with its end: a field of each item.
+[[nodiscard]] std::string csv_row(const auto& items, const auto& field_of) {
+  std::string out;
+  for (const auto& item : items) {
+    out += std::invoke(field_of, item);
+    out += ',';
+  }
+  out.back() = '\n';
+  return out;
+}
 
 /// Comma-separated values with a header line (RFC 4180 with newlines), one
 /// row per scene: its number, its keys in SI units and radians, state, status,

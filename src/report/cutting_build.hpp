@@ -23,7 +23,7 @@ struct Build {
   double thickness = 3.0;  ///< of the material
   double hole = 6.0;       ///< diameter
   /// Two strips with so much between them; nothing: one strip.
-  std::optional<double> gauge;
+  std::optional<double> gauge = {};
 
   /// [mm/m]
   [[nodiscard]] double per_metre() const { return kMillimetres * scale; }

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <numbers>
@@ -18,38 +19,16 @@ Point turned(Point p, double angle) {
   return {c * p.x - s * p.z, s * p.x + c * p.z};
 }
 
-Shapes Shapes::turned(double angle) const {
-  Shapes out = *this;
-  for (Polyline& polyline : out.polylines) {
-    for (Point& p : polyline.points) p = cutting::turned(p, angle);
-  }
-  for (Circle& circle : out.circles) {
-    circle.centre = cutting::turned(circle.centre, angle);
-  }
-  for (Label& label : out.labels) {
-    label.at = cutting::turned(label.at, angle);
-    label.angle += angle;
-  }
-  return out;
-}
-
-void Shapes::add(const Shapes& others, Point by) {
-  const auto moved = [&](Point p) { return Point{p.x + by.x, p.z + by.z}; };
-  for (Polyline polyline : others.polylines) {
-    for (Point& p : polyline.points) p = moved(p);
-    polylines.push_back(std::move(polyline));
-  }
-  for (Circle circle : others.circles) {
-    circle.centre = moved(circle.centre);
-    circles.push_back(circle);
-  }
-  for (Label label : others.labels) {
-    label.at = moved(label.at);
-    labels.push_back(std::move(label));
-  }
-}
-
 namespace {
+
+/// Each point to where a function has it.
+void move_points(Shapes& shapes, const auto& moved) {
+  for (Polyline& polyline : shapes.polylines) {
+    for (Point& p : polyline.points) p = moved(p);
+  }
+  for (Circle& circle : shapes.circles) circle.centre = moved(circle.centre);
+  for (Label& label : shapes.labels) label.at = moved(label.at);
+}
 
 void add_lines(std::string& out, const Shapes& shapes, Line line) {
   const auto to = std::back_inserter(out);
@@ -92,6 +71,20 @@ std::string layer(const char* name) {
 }
 
 }  // namespace
+
+Shapes Shapes::turned(double angle) const {
+  Shapes out = *this;
+  move_points(out, [&](Point p) { return cutting::turned(p, angle); });
+  for (Label& label : out.labels) label.angle += angle;
+  return out;
+}
+
+void Shapes::add(Shapes others, Point by) {
+  move_points(others, [&](Point p) { return Point{p.x + by.x, p.z + by.z}; });
+  std::ranges::move(others.polylines, std::back_inserter(polylines));
+  std::ranges::move(others.circles, std::back_inserter(circles));
+  std::ranges::move(others.labels, std::back_inserter(labels));
+}
 
 std::string as_svg(const Drawing& drawing) {
   std::string out = fmt::format(

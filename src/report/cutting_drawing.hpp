@@ -46,7 +46,7 @@ struct Shapes {
   std::vector<Label> labels;
 
   /// Adds others, moved by so much [mm].
-  void add(const Shapes& others, Point by);
+  void add(Shapes others, Point by);
   /// About the origin, from right to down positive [rad].
   [[nodiscard]] Shapes turned(double angle) const;
 };

@@ -75,7 +75,7 @@ void add_level(Shapes& out, const Edge& edge, const Piece& piece) {
 
 /// What an outline encloses.
 Part cut_out(std::string name, std::vector<Point> corners) {
-  Part out{.name = std::move(name), .shapes = {}, .box = box_of(corners)};
+  Part out{.name = std::move(name), .box = box_of(corners)};
   out.shapes.polylines.push_back({Line::Cut, std::move(corners), true});
   return out;
 }
@@ -186,7 +186,7 @@ void add_cross(Shapes& out, Point at, double arm) {
 
 /// Of a disc that rolls or of its flange, with the axis at the origin.
 Part disc_part(const char* name, double radius, const Build& build) {
-  Part out{.name = name, .shapes = {}};
+  Part out{.name = name};
   out.box = {{-radius, -radius}, {radius, radius}};
   out.shapes.circles.push_back({Line::Cut, {0.0, 0.0}, radius});
   if (radius > build.hole) {

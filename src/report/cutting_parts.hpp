@@ -19,9 +19,9 @@ namespace brachisto::report::cutting {
 
 /// Something that is cut out of a sheet.
 struct Part {
-  std::string name;  ///< "3", "3-4" of the plate that laps their joint
-  Shapes shapes;     ///< [mm]
-  Box box{};         ///< around them, words included
+  std::string name;    ///< "3", "3-4" of the plate that laps their joint
+  Shapes shapes = {};  ///< [mm]
+  Box box{};           ///< around them, words included
   /// How it may be turned on a sheet [rad].
   std::vector<double> turns = {0.0};
 

@@ -26,7 +26,7 @@ namespace {
 
 /// Colours end where a fifth of the bodies is slower, so that they tell quick
 /// ones apart.
-ValueRange range_of_quick(const SweepTable& table) {
+Extent range_of_quick(const SweepTable& table) {
   constexpr double kShare = 0.8;
   std::vector<double> tau;
   for (const SweepOutcome& outcome : table.outcomes) {

@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "brachisto/math/clock.hpp"
-#include "math/enum_table.hpp"
 #include "process/child_process.hpp"
 #include "report/rich_text.hpp"
 #include "report/svg_theme.hpp"
@@ -20,36 +19,17 @@ namespace {
 constexpr double kFontSize = 13.0;  // [px]
 constexpr double kDrawingSeconds = 60.0;
 
-/// With equal sizes of letters and widths of lines in all formats, and dashes
-/// in units of the width: pdfcairo sets letters in two thirds of their size and
-/// draws linewidth 1 half a point wide; a dash of length 1 is 0.275 of the
-/// width of the line with Cairo, 0.5 in SVG (measured with gnuplot 5.4).
+/// With letters of equal size in both formats, and dashes in units of the width
+/// of a line: a dash of length 1 is half of that in SVG (measured with gnuplot
+/// 5.4).
 std::string terminal(const Figure& figure, Format format) {
-  constexpr double kPixelsPerInch = 96.0;
-  constexpr double kDashInCairo = 1.0 / 0.275, kDashInSvg = 1.0 / 0.5;
-  constexpr double kPointsPerPixel = 0.75;
-  switch (format) {
-    case Format::Svg:
-      break;
-    case Format::Pdf:
-      return fmt::format(
-          "pdfcairo enhanced size {:.4f}in,{:.4f}in font 'DejaVu Sans,{:.4g}' "
-          "linewidth {:.4g} dashlength {:.4g}",
-          figure.width / kPixelsPerInch, figure.height / kPixelsPerInch,
-          kFontSize * kPointsPerPixel * 1.5, kPointsPerPixel / 0.5,
-          kDashInCairo);
-    case Format::Png:
-      return fmt::format(
-          "pngcairo enhanced size {:.0f},{:.0f} font 'DejaVu Sans,{:.4g}' "
-          "dashlength {:.4g}",
-          figure.width, figure.height, kFontSize * kPointsPerPixel,
-          kDashInCairo);
-    case Format::Gif:
-      return fmt::format(
-          "gif animate delay {} loop 0 enhanced size {:.0f},{:.0f} "
-          "font 'DejaVu Sans,{:.4g}'",
-          figure.frame_delay, figure.width, figure.height,
-          kFontSize * kPointsPerPixel);
+  constexpr double kDashInSvg = 1.0 / 0.5, kPointsPerPixel = 0.75;
+  if (format == Format::Gif) {
+    return fmt::format(
+        "gif animate delay {} loop 0 enhanced size {:.0f},{:.0f} "
+        "font 'DejaVu Sans,{:.4g}'",
+        figure.frame_delay, figure.width, figure.height,
+        kFontSize * kPointsPerPixel);
   }
   return fmt::format(
       "svg enhanced size {:.0f},{:.0f} font 'DejaVu Sans,{:.4g}' "
@@ -87,21 +67,17 @@ double PixelScale::operator()(double value) const {
   return std::lerp(from, to, share);
 }
 
-std::string_view ending(Format format) {
-  constexpr auto kEndings = table_by<Format>(".svg", ".pdf", ".png", ".gif");
-  return kEndings[format];
-}
-
 DrawnFiles draw(const Figure& figure, Format format,
                 const std::atomic<int>* interrupt) {
+  const std::string picture =
+      figure.name + (format == Format::Svg ? ".svg" : ".gif");
   DrawnFiles drawn;
   drawn.files = {{figure.name + ".csv", figure.table},
                  {figure.name + ".gp",
-                  fmt::format("# gnuplot {0}.gp draws {0}.csv as {0}{1}\n"
-                              "set output '{0}{1}'\n",
-                              figure.name, ending(format)) +
+                  fmt::format("# gnuplot {0}.gp draws {0}.csv as {1}\n"
+                              "set output '{1}'\n",
+                              figure.name, picture) +
                       script(figure, format, figure.name + ".csv")}};
-  const std::string picture = fmt::format("{}{}", figure.name, ending(format));
   const auto without = [&](std::string_view why) {
     drawn.missing = fmt::format("{} is not drawn: {}; gnuplot {}.gp draws it",
                                 picture, why, figure.name);

@@ -23,9 +23,9 @@ struct SceneCells {
     std::size_t scene;
     double x, y;
   };
-  std::vector<Cell> cells;  ///< row by row
-  std::size_t per_row = 0;  ///< of rows that are alike; 0: there are none
-  bool meet = false;        ///< areas of a map between neighbours, not dots
+  std::vector<Cell> cells = {};  ///< row by row
+  std::size_t per_row = 0;       ///< of rows that are alike; 0: there are none
+  bool meet = false;  ///< areas of a map between neighbours, not dots
 };
 
 /// A range of an axis and where it lies on the picture [px].
@@ -51,10 +51,7 @@ struct Figure {
 };
 
 /// Gif is a picture that moves: `commands` draw it frame by frame.
-enum class Format { Svg, Pdf, Png, Gif };
-
-/// ".svg", …
-[[nodiscard]] std::string_view ending(Format format);
+enum class Format { Svg, Gif };
 
 /// What is to be written of a figure: `<name>.csv`, `<name>.gp` and, unless it
 /// is missing, the picture; or of a page with figures.

@@ -128,9 +128,11 @@ std::string html_table(const Rows& rows) {
   return html_table(heads, cells);
 }
 
-std::string folded_html(std::string_view summary, const std::string& content) {
-  return fmt::format("<details><summary>{}</summary>\n{}</details>\n",
-                     xml_escaped(summary), content);
+std::string folded_html(std::string_view summary, const std::string& content,
+                        bool open) {
+  return fmt::format("<details{}><summary>{}</summary>\n{}</details>\n",
+                     open ? " open=\"open\"" : "", xml_escaped(summary),
+                     content);
 }
 
 std::string script_html(std::string_view content) {

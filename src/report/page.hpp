@@ -83,8 +83,10 @@ using HtmlRows = std::vector<std::vector<HtmlCell>>;
 
 /// What is folded until its summary is pressed.
 /// \param content  HTML
+/// \param open     from the start on
 [[nodiscard]] std::string folded_html(std::string_view summary,
-                                      const std::string& content);
+                                      const std::string& content,
+                                      bool open = false);
 
 /// A script within a page that is XML too.
 [[nodiscard]] std::string script_html(std::string_view content);

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <utility>
 
+#include "design/design_record.hpp"
 #include "report/result_field.hpp"
 #include "report/text_table.hpp"
 
@@ -241,12 +242,6 @@ Field<Solution> seconds_field() {
 }
 
 namespace {
-
-Json numbers_json(const NamedNumbers& numbers) {
-  Json json = Json::object();
-  for (const auto& [name, value] : numbers) json[name] = value;
-  return json;
-}
 
 /// Numbers by the names of what is free.
 Field<DesignMinimum> numbers_field(std::string_view name,

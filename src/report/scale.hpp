@@ -31,7 +31,7 @@ enum class Scale { Linear, Logarithmic, Degrees };
 /// A text with real minus signs before digits.
 [[nodiscard]] std::string with_minus_signs(std::string_view text);
 
-/// Least and greatest of finite numbers.
+/// Least and greatest of finite numbers, or what a picture shows of them.
 struct Extent {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
@@ -41,6 +41,7 @@ struct Extent {
     low = std::min(low, value);
     high = std::max(high, value);
   }
+  [[nodiscard]] double width() const { return high - low; }
 };
 
 /// Red, green and blue of sRGB, from 0 to 255.
@@ -56,11 +57,6 @@ using Colour = std::array<double, 3>;
 
 /// The same colours for "set palette defined (…)" of gnuplot.
 [[nodiscard]] std::string palette();
-
-/// Values that stand for both ends of the colours or of an axis.
-struct ValueRange {
-  double low, high;
-};
 
 /// n colours for a family of curves, dark to light, the lightest still to be
 /// seen on white.

@@ -63,7 +63,7 @@ class Places {
 /// A plot being put together.
 class Plot {
  public:
-  Plot(const SweepTable& table, const XyPlot& plot, ValueRange range)
+  Plot(const SweepTable& table, const XyPlot& plot, Extent range)
       : table_(table),
         plot_(plot),
         scenes_(together(plot.curves)),
@@ -71,7 +71,7 @@ class Plot {
         range_(range) {}
 
   [[nodiscard]] Chart chart() {
-    const double margin = 0.07 * (range_.high - range_.low);
+    const double margin = 0.07 * range_.width();
     chart_.name = plot_.name;
     chart_.title = "τ against " + key_label(table_.columns[plot_.x_column].key)
                                       .within(kLabelLetters)
@@ -129,7 +129,7 @@ class Plot {
   /// Whether a line from scene i to the next one shows what is there.
   [[nodiscard]] bool resolved(const Scenes& scenes, std::size_t i) const {
     constexpr double kMost = 4.0 * 0.02;
-    const double most = kMost * (range_.high - range_.low);
+    const double most = kMost * range_.width();
     const double here = stray(scenes, i), next = stray(scenes, i + 1);
     return (here <= most || next <= most) && !(here > most) && !(next > most);
   }
@@ -140,7 +140,6 @@ class Plot {
                             ? place(table_, {*plot_.family}, scenes.front(),
                                     Markup::Rich)
                             : "",
-                .points = {},
                 .stroke = stroke_of(index),
                 .colour = colour,
                 .mark = Mark::Disc};
@@ -166,9 +165,7 @@ class Plot {
   }
 
   void add_states() {
-    Curve infeasible{.name = "",
-                     .points = {},
-                     .width = 0.0,
+    Curve infeasible{.width = 0.0,
                      .mark = Mark::Circle,
                      .mark_size = scenes_.size() > kMany ? 0.9 : 1.2,
                      .id = "infeasible"};
@@ -209,7 +206,7 @@ class Plot {
   const XyPlot& plot_;
   Scenes scenes_;
   Places x_;
-  ValueRange range_;
+  Extent range_;
   Chart chart_;
 };
 
@@ -248,8 +245,7 @@ std::vector<MarkedScene> marked_scenes(const SweepTable& table,
   return out;
 }
 
-Figure xy_figure(const SweepTable& table, const XyPlot& plot,
-                 ValueRange range) {
+Figure xy_figure(const SweepTable& table, const XyPlot& plot, Extent range) {
   return chart_figure(Plot(table, plot, range).chart());
 }
 

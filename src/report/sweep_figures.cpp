@@ -24,7 +24,7 @@ struct Direction {
 };
 
 /// τ of these scenes; a little around it if they are all the same.
-ValueRange tau_range(const SweepTable& table, const Scenes& scenes) {
+Extent tau_range(const SweepTable& table, const Scenes& scenes) {
   const SweepDigest found = digest(table, scenes);
   if (!found.fastest) return {0.0, 1.0};
   const double low = table.outcomes[*found.fastest].tau;
@@ -36,19 +36,18 @@ ValueRange tau_range(const SweepTable& table, const Scenes& scenes) {
 
 /// One range of τ for all figures, which then can be compared, unless half of
 /// them would show next to nothing of their own.
-std::vector<ValueRange> ranges(const SweepTable& table,
-                               const std::vector<Scenes>& figures) {
+std::vector<Extent> ranges(const SweepTable& table,
+                           const std::vector<Scenes>& figures) {
   constexpr double kLeastShare = 0.35;
-  const ValueRange all = tau_range(table, all_scenes(table));
-  std::vector<ValueRange> own;
+  const Extent all = tau_range(table, all_scenes(table));
+  std::vector<Extent> own;
   std::size_t lost = 0;
   for (const Scenes& scenes : figures) {
     own.push_back(tau_range(table, scenes));
-    lost +=
-        own.back().high - own.back().low < kLeastShare * (all.high - all.low);
+    lost += own.back().width() < kLeastShare * all.width();
   }
   if (2 * lost > figures.size()) return own;
-  return std::vector<ValueRange>(figures.size(), all);
+  return std::vector<Extent>(figures.size(), all);
 }
 
 /// Ordered axes of more than one value, numeric or not, as asked for. Of the
@@ -110,7 +109,7 @@ class Planner {
       out_.remarks.emplace_back("The sweep has too many scenes to be drawn.");
       return;
     }
-    const std::vector<ValueRange> tau = ranges(table_, groups);
+    const std::vector<Extent> tau = ranges(table_, groups);
     const std::size_t drawn = std::min(groups.size(), kMostFigures);
     if (groups.size() > 1) {
       const bool same = tau.front().low == tau.back().low &&

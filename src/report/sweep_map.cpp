@@ -128,7 +128,7 @@ class MapPicture {
   }
 
   /// \param plot  "plot", "splot"
-  [[nodiscard]] Figure figure(std::string_view plot, ValueRange range,
+  [[nodiscard]] Figure figure(std::string_view plot, Extent range,
                               bool colour_bar) {
     canvas.open(kLayout, title_, what_is_fixed(table_, map_.scenes), names_);
     side('x', x_, xs_);
@@ -139,8 +139,7 @@ class MapPicture {
         colour_bar ? "" : "unset colorbox\n");
     // A frame of nothing is drawn for what lies outside of it.
     canvas.plot(plot, "data using (NaN):(NaN):(middle) with points");
-    SceneCells scenes{
-        .cells = {}, .per_row = map_.n_second, .meet = map_.n_second > 0};
+    SceneCells scenes{.per_row = map_.n_second, .meet = map_.n_second > 0};
     for (const std::size_t scene : map_.scenes) {
       scenes.cells.push_back(
           canvas.cell(scene, shown_number(table_.columns[x_], scene),
@@ -194,7 +193,7 @@ class MapPicture {
       range = {middle - 0.5, middle + 0.5};
     } else if (map_.n_second == 0 && side.scale != Scale::Logarithmic) {
       // Dots are not cut by the frame.
-      const double room = 0.02 * (range.high - range.low);
+      const double room = 0.02 * range.width();
       range = {range.low - room, range.high + room};
     }
     canvas.axis(axis, side, range);
@@ -247,8 +246,7 @@ void edge(MapPicture& picture) {
 
 }  // namespace
 
-Figure map_figure(const SweepTable& table, const SweepMap& map,
-                  ValueRange range) {
+Figure map_figure(const SweepTable& table, const SweepMap& map, Extent range) {
   constexpr std::string_view kTau =
       "data using (column(right)):(column(up)):(column('tau'))";
   MapPicture picture(table, map, "τ");
@@ -302,7 +300,7 @@ Figure feasibility_figure(const SweepTable& table, const SweepMap& map) {
 }
 
 Figure scatter_figure(const SweepTable& table, const SweepMap& sample,
-                      ValueRange range) {
+                      Extent range) {
   MapPicture picture(table, sample, "τ");
   picture.canvas.put("set palette defined ({})\n", palette());
   const bool any = picture.found().verified > 0;

@@ -38,7 +38,7 @@ std::vector<double> places(const SweepColumn& column, const Scenes& scenes) {
     extent.include(out.back());
   }
   for (double& place : out) {
-    place = (place - extent.low) / (extent.high - extent.low);
+    place = (place - extent.low) / extent.width();
   }
   return out;
 }

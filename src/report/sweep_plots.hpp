@@ -41,7 +41,7 @@ struct XyPlot {
 ///
 /// \param range  of τ; common to plots that are to be compared
 [[nodiscard]] Figure xy_figure(const SweepTable& table, const XyPlot& plot,
-                               ValueRange range);
+                               Extent range);
 
 /// A way across a map: values of its first and its second column.
 using MapWay = std::vector<std::pair<double, double>>;
@@ -65,7 +65,7 @@ struct SweepMap {
 ///
 /// \param range  of the colours; common to maps that are to be compared
 [[nodiscard]] Figure map_figure(const SweepTable& table, const SweepMap& map,
-                                ValueRange range);
+                                Extent range);
 
 /// The same map with two greys for feasible and infeasible scenes.
 [[nodiscard]] Figure feasibility_figure(const SweepTable& table,
@@ -73,7 +73,7 @@ struct SweepMap {
 
 /// Dots of the colour of their τ over two numeric columns.
 [[nodiscard]] Figure scatter_figure(const SweepTable& table,
-                                    const SweepMap& sample, ValueRange range);
+                                    const SweepMap& sample, Extent range);
 
 /// "minimum of the grid: τ = 5.09 at η_m = 0.3", of a feasible scene, and of a
 /// faster one that is not; rich text.
@@ -123,7 +123,7 @@ struct SweepFigure {
   /// sweep.
   std::vector<std::size_t> fixed;
   Scenes scenes;
-  ValueRange tau{0.0, 1.0};  ///< that colours or the vertical axis stand for
+  Extent tau{0.0, 1.0};  ///< that colours or the vertical axis stand for
   std::vector<SweepDrawing> drawings;
 };
 

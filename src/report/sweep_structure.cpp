@@ -171,7 +171,7 @@ class StructurePlot {
       const auto of = [&](std::size_t i) -> const SweepArc& {
         return arcs(scenes_[i])[arc];
       };
-      Area band{.name = {}, .outline = {{left, of(first).from}}};
+      Area band{.outline = {{left, of(first).from}}};
       for (std::size_t i = first; i <= last; ++i) {
         band.outline.push_back({shown(i), of(i).from});
       }
@@ -196,8 +196,7 @@ class StructurePlot {
     for (std::size_t i = 0; i + 1 < scenes_.size(); ++i) {
       if (!verified(i) || !verified(i + 1) || goes_on(i)) continue;
       const double x = behind(i);
-      Curve line{.name = {},
-                 .points = {{x, 0.0}, {x, 1.0}},
+      Curve line{.points = {{x, 0.0}, {x, 1.0}},
                  .stroke = Stroke::Dashed,
                  .width = 1.2,
                  .id = fmt::format("kink {}", ++count)};
@@ -216,9 +215,7 @@ class StructurePlot {
   }
 
   void add_failed() {
-    Curve failed{.name = {},
-                 .points = {},
-                 .width = 0.0,
+    Curve failed{.width = 0.0,
                  .mark = Mark::Cross,
                  .mark_size = scenes_.size() > 60 ? 0.6 : 1.0,
                  .id = "failed"};

@@ -15,9 +15,10 @@ namespace brachisto {
 
 /// A key of the problem file that differs between the scenes of a sweep.
 struct SweepColumn {
-  std::string key;                 ///< dotted, "scene.body.eta_m"
-  std::vector<double> numbers;     ///< one per scene, SI units, rad; or
-  std::vector<std::string> words;  ///< one per scene, if it is not a number
+  std::string key;                   ///< dotted, "scene.body.eta_m"
+  std::vector<double> numbers = {};  ///< one per scene, SI units, rad; or
+  std::vector<std::string> words =
+      {};  ///< one per scene, if it is not a number
 
   [[nodiscard]] bool numeric() const { return words.empty(); }
 };

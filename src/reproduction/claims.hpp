@@ -6,6 +6,8 @@
 
 #pragma once
 
+#include <algorithm>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -38,6 +40,13 @@ struct Claim {
 [[nodiscard]] std::vector<Claim> claims_of_shapes(const Results& found);
 /// Those on θ_m, and on what is faster than the bead, section III.H.
 [[nodiscard]] std::vector<Claim> claims_of_orientation(const Results& found);
+
+/// The greatest less the least of numbers.
+template <class Number = std::identity>
+[[nodiscard]] double spread(const auto& items, Number number = {}) {
+  const auto [least, most] = std::ranges::minmax_element(items, {}, number);
+  return std::invoke(number, *most) - std::invoke(number, *least);
+}
 
 /// By how many percent the second is less than the first.
 [[nodiscard]] inline double percent_less(double first, double second) {

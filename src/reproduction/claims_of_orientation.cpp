@@ -36,12 +36,6 @@ bool minimum_inside(const MapRow& row) {
   return least != row.points.begin() && least + 1 != row.points.end();
 }
 
-double spread(const MapRow& row) {
-  const auto [least, most] =
-      std::ranges::minmax_element(row.points, {}, &MapPoint::tau);
-  return most->tau - least->tau;
-}
-
 Claim about_start(const Results& found) {
   constexpr int kOffsets = 20;
   constexpr int kInertias = 10;
@@ -85,15 +79,18 @@ Claim about_start(const Results& found) {
 }
 
 Claim about_effect_of_orientation(const std::vector<MapRow>& map) {
-  const bool grows = std::ranges::is_sorted(map, {}, spread);
+  const auto effect = [](const MapRow& row) {
+    return spread(row.points, &MapPoint::tau);
+  };
+  const bool grows = std::ranges::is_sorted(map, {}, effect);
   constexpr double kNone = 1e-9;
   return {
       "Fig. 13",
       "Without offset θ_m does not matter; its effect grows with η_m.",
-      grows && spread(map.front()) < kNone ? Holds : Fails,
+      grows && effect(map.front()) < kNone ? Holds : Fails,
       fmt::format("Over all θ_m τ varies by {:.0e} at η_m = 0 and by {:.4f} "
                   "at the largest η_m{}.",
-                  spread(map.front()), spread(map.back()),
+                  effect(map.front()), effect(map.back()),
                   grows ? ", more for each offset of the map than for the "
                           "one before"
                         : "")};

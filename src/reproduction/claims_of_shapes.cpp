@@ -40,11 +40,6 @@ FamilyPeaks peaks_of(const Results& found, Members family) {
   return out;
 }
 
-double spread(const std::vector<double>& values) {
-  const auto [least, most] = std::ranges::minmax(values);
-  return most - least;
-}
-
 /// Texts of all of some things, "0.0°, 10.8°".
 std::string list_of(const auto& things, const auto& text) {
   std::vector<std::string> texts;
@@ -275,12 +270,6 @@ std::string by_radius(const std::vector<RadiusRow>& rows) {
   });
 }
 
-double spread(const std::vector<RadiusRow>& rows) {
-  const auto [least, most] =
-      std::ranges::minmax_element(rows, {}, &RadiusRow::tau);
-  return most->tau - least->tau;
-}
-
 Claim about_radius(const Results& found) {
   constexpr double kNone = 0.005;  // half of the last digit that is printed
   std::vector<RadiusRow> off_centred;
@@ -289,8 +278,8 @@ Claim about_radius(const Results& found) {
         {found.cases[member.file].scene().body.radius, found.tau(member.file)});
   }
   const double k = found.cases["fig06_uniform_cylinder"].scene().body.k;
-  const bool varies = spread(off_centred) > kNone;
-  const bool constant = spread(found.uniform) < kNone;
+  const bool varies = spread(off_centred, &RadiusRow::tau) > kNone;
+  const bool constant = spread(found.uniform, &RadiusRow::tau) < kNone;
   return {"Sec. III.F",
           "Transit times vary with r, unlike those of axisymmetric cylinders.",
           !varies    ? Fails

@@ -56,19 +56,14 @@ using Columns = std::vector<Column<Row>>;
 /// Cells of a row, or the names of the columns.
 template <class Row>
 std::string csv_row(const Columns<Row>& columns, const Row* row) {
-  std::string out;
-  for (const auto& [name, of, digits] : columns) {
-    const Json cell = row == nullptr ? Json(name) : of(*row);
-    if (name != columns.front().name) out += ',';
-    if (cell.is_string()) {
-      out += report::csv_field(cell.get<std::string>());
-    } else if (cell.is_number()) {
-      out += fmt::format(fmt::runtime(digits), cell.get<double>());
-    } else if (!cell.is_null()) {
-      out += cell.dump();
+  return report::csv_row(columns, [&](const Column<Row>& column) {
+    const Json cell = row == nullptr ? Json(column.name) : column.of(*row);
+    if (cell.is_string()) return report::csv_field(cell.get<std::string>());
+    if (cell.is_number()) {
+      return fmt::format(fmt::runtime(column.digits), cell.get<double>());
     }
-  }
-  return out + '\n';
+    return cell.is_null() ? "" : cell.dump();
+  });
 }
 
 template <class Row>

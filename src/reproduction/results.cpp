@@ -234,8 +234,6 @@ SweepTable solve_family(const sweep::Job& job, int jobs,
   const sweep::ManagerOptions options{.program = "/proc/self/exe",
                                       .jobs = jobs,
                                       .seconds_per_scene = kSecondsPerScene,
-                                      .memory = 0,
-                                      .shard = {},
                                       .interrupt = &interrupt};
   sweep::run_manager(job, store, options, progress);
   SweepTable table = sweep::read_table(store, job);

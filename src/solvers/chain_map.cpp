@@ -73,7 +73,6 @@ class LinkUnknowns {
             .interior = interior_,
             .left = left_,
             .right = right_,
-            .unknowns = {},
             .entries = std::move(entries)};
     for_each([&](int, int unknown) { out.unknowns.push_back({unknown, 0}); });
     for (const int unknown : border) out.unknowns.push_back({unknown, 0});

@@ -62,7 +62,7 @@ class ChainMap {
     int num_links = 0;  ///< to the last one, as if all between were its own
     std::vector<Links> stretches = {};  ///< those that are
     int interior = 0, left = 0, right = 0;
-    std::vector<Affine> unknowns;  ///< places in vectors of the caller
+    std::vector<Affine> unknowns = {};  ///< places in vectors of the caller
     std::vector<Entry> entries;
     [[nodiscard]] int size() const { return static_cast<int>(unknowns.size()); }
     /// The numbers of its own links.

@@ -239,9 +239,13 @@ class Manager {
     if (++losses_in_a_row_ >= 4 + 2 * options_.jobs) {
       store_.record(answers, plan_);
       throw WorkersFail(fmt::format(
-          "{} workers failed in a row, the last one at scene {}: {}. What was "
+          "{} workers failed in a row, the last one at scene {}: {}{}. What "
+          "was "
           "recorded before is kept; --resume goes on",
-          losses_in_a_row_, slot.next, message));
+          losses_in_a_row_, slot.next, message,
+          options_.memory == 0
+              ? ""
+              : fmt::format(" (with --memory {})", options_.memory >> 20)));
     }
     if (slot.retrying) {
       // Held back until some worker answers: it may not be the scene's fault.

@@ -26,7 +26,7 @@ struct ManagerOptions {
   /// A worker that takes longer for one scene is killed.
   double seconds_per_scene = 0.0;
   std::size_t memory = 0;  ///< address space of a worker [bytes]; 0: no bound
-  Shard shard;
+  Shard shard = {};
   const std::atomic<int>* interrupt = nullptr;  ///< nonzero: stop
   /// Of the whole: workers are told what is left, and half a second later they
   /// are killed and what they were at is left undone.

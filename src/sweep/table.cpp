@@ -4,7 +4,6 @@
 #include "sweep/table.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <functional>
@@ -133,13 +132,6 @@ std::string field(const Json& value) {
       value.is_string() ? value.get_ref<const std::string&>() : value.dump());
 }
 
-template <class Fields, class ToText>
-std::string csv_line(const Fields& fields, const ToText& to_text) {
-  std::vector<std::string> texts;
-  std::ranges::transform(fields, std::back_inserter(texts), to_text);
-  return fmt::format("{}\n", fmt::join(texts, ","));
-}
-
 /// What τ depends on besides the keys of the sweep. Outside of its section no
 /// key follows another one, so that one scene tells for all.
 std::vector<SweepConstant> constants(const io::SweepFile& file) {
@@ -169,7 +161,7 @@ SweepTable empty_table(const Job& job) {
   table.title = job.name;
   table.outcomes.resize(file.num_scenes());
   for (const io::SweepKey& key : file.keys()) {
-    table.columns.push_back({.key = key.path, .numbers = {}, .words = {}});
+    table.columns.push_back({.key = key.path});
   }
   for (std::size_t scene = 0; scene < file.num_scenes(); ++scene) {
     const std::vector<io::SweepValue> values = file.values(scene);
@@ -213,10 +205,11 @@ std::vector<plot::SweepTrack> read_tracks(Store& store, const Job& job) {
 }
 
 ExportedTable export_csv(Store& store, const Job& job) {
-  std::string text = csv_line(column_names(job.file), report::csv_field);
-  const std::size_t rows = for_each_row(
-      store, job.file,
-      [&](const std::vector<Json>& row) { text += csv_line(row, field); });
+  std::string text = report::csv_row(column_names(job.file), report::csv_field);
+  const std::size_t rows =
+      for_each_row(store, job.file, [&](const std::vector<Json>& row) {
+        text += report::csv_row(row, field);
+      });
   return {std::move(text), rows};
 }
 

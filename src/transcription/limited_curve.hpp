@@ -22,7 +22,7 @@ namespace brachisto {
 /// What is known at one σ, in the units of the problem's scene.
 struct LimitedPoint {
   TurningPoint<double> state;
-  Costates p;
+  Costates p = {};
   double p_beta = 0.0;
   /// Of each limit per unit of u, minus dT by its bound: ≥ 0 where a value is
   /// at its upper bound, ≤ 0 at its lower one.

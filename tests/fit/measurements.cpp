@@ -65,7 +65,8 @@ TEST(Measurements, AreRefusedWithFileAndLine) {
     EXPECT_NE(told.find("is not a number"), std::string::npos) << told;
   }
   EXPECT_EQ(refusal("s,t,sigma\n1,0.5,0\n"),
-            "m.csv:2:7: sigma: 0 was read; expected a number in s, > 0");
+            "m.csv:2:7: sigma: 0 was read; expected a number in s from 1e-12 "
+            "to 1e+12");
 }
 
 TEST(Measurements, GoAlongThePath) {

@@ -19,10 +19,10 @@ namespace {
 
 using plot::shown_range;
 using plot::ShownCurve;
-using plot::ShownRange;
 using plot::thinned;
 using plot::ThinnedTable;
 using plot::TrajectoryTable;
+using report::Extent;
 using testing::Incline;
 
 /// Many rows of a motion with some turns.
@@ -81,7 +81,7 @@ TEST(Thinning, TellsTheErrorAtTheRowsLeftOut) {
     const Point b = few.table.pose(t).contact(reference_body());
     path = std::max({path, std::hypot(c.x - all["x_c"][i], c.z - all["z_c"][i]),
                      std::hypot(b.x - all["x_b"][i], b.z - all["z_b"][i])});
-    const ShownRange range = force().front().range;
+    const Extent range = force().front().range;
     if (all["R_n"][i] < range.low || all["R_n"][i] > range.high) continue;
     curve =
         std::max(curve, std::abs(few.table.value("R_n", t) - all["R_n"][i]) /
@@ -138,7 +138,7 @@ TEST(ShownRange, LeavesOutPolesAndTheStart) {
   };
   const auto table = TrajectoryTable::read(incline.csv(1000));
 
-  const ShownRange range = shown_range(table, table["R_n"]);
+  const Extent range = shown_range(table, table["R_n"]);
 
   EXPECT_NEAR(range.low, -1.0, 0.01);
   EXPECT_NEAR(range.high, 1.0, 0.01);
@@ -149,7 +149,7 @@ TEST(ShownRange, HasAllOfWhatIsModerate) {
   incline.normal = [](int row) { return 0.001 * row; };
   const auto table = TrajectoryTable::read(incline.csv(1001));
 
-  const ShownRange range = shown_range(table, table["R_n"]);
+  const Extent range = shown_range(table, table["R_n"]);
 
   EXPECT_EQ(range.low, 0.02);  // where a fiftieth of the time is over
   EXPECT_EQ(range.high, 1.0);

@@ -68,18 +68,6 @@ TEST(Figure, HasATitleForThoseWhoCannotSeeIt) {
             std::string::npos);
 }
 
-TEST(Figure, IsDrawnInEachFormat) {
-  const auto begin = [](Format format) {
-    const DrawnFiles drawn = draw(line(), format, nullptr);
-    return drawn.missing.empty() ? drawn.files.back().content.substr(0, 4)
-                                 : drawn.missing;
-  };
-
-  EXPECT_EQ(begin(Format::Svg), "<?xm");
-  EXPECT_EQ(begin(Format::Pdf), "%PDF");
-  EXPECT_EQ(begin(Format::Png), "\x89PNG");
-}
-
 TEST(Figure, WithoutGnuplotIsATableAndAScriptAndSaysSo) {
   const Environment nothing("PATH", "/no/such/directory");
 

@@ -23,7 +23,7 @@ using brachisto::testing::svg_of;
 using brachisto::testing::sweep_over;
 using brachisto::testing::xml_flaw;
 
-constexpr ValueRange kSlopeRange{5.0, 6.0};
+constexpr Extent kSlopeRange{5.0, 6.0};
 
 SweepTable slope() {
   return sweep_over({{"scene.body.k", 0.0, 1.0, 11}},

@@ -42,7 +42,7 @@ SweepTable bowl(bool turned = false) {
                 : sweep_over({offset, turn}, tau);
 }
 
-constexpr ValueRange kBowlRange{5.0, 7.0};
+constexpr Extent kBowlRange{5.0, 7.0};
 
 bool says(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;

@@ -29,6 +29,9 @@ class StopCondition {
   /// \param interrupt  set from a signal handler to stop; may be null, must
   ///                   outlive this
   StopCondition(double seconds, const std::atomic<int>* interrupt);
+  /// At the interrupt alone.
+  explicit StopCondition(const std::atomic<int>* interrupt)
+      : interrupt_(interrupt) {}
 
   [[nodiscard]] bool interrupted() const {
     return interrupt_ != nullptr && interrupt_->load() != 0;

@@ -44,9 +44,9 @@ struct Check {
 /// A place of the path.
 struct Place {
   double time = 0.0;
-  std::vector<double> states, controls;
+  std::vector<double> states = {}, controls = {};
   /// What the least cost to go changes by with each state.
-  std::vector<double> costates;
+  std::vector<double> costates = {};
 };
 
 /// One pass of the refinement, or one try with places of junctions as unknowns.

@@ -8,7 +8,6 @@
 
 #include "brachisto/nlp/problem.hpp"
 #include "brachisto/ocp/least_cost.hpp"
-#include "brachisto/posed/answer.hpp"
 #include "brachisto/posed/problem.hpp"
 #include "brachisto/posed/statement.hpp"
 #include "brachisto/solvers/program_solvers.hpp"

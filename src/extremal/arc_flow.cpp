@@ -198,13 +198,9 @@ AlongArc ArcFlow::along(const PathInequality& limit, const Node& y) const {
   const Second c = flow.problem().value(limit, ocp::as_variables<Second>(yu));
   const Second& d = at.limit;
   const TurningFlow::State e = flow.eliminated(at).control;
-  const auto second = [](const Second& of, std::size_t i, std::size_t j) {
-    return of.hessian[Second::pair(static_cast<int>(std::max(i, j)),
-                                   static_cast<int>(std::min(i, j)))];
-  };
   const auto bent = [&](const Second& of, std::size_t i, std::size_t j) {
-    return second(of, i, j) + second(of, i, kQ) * e[j] +
-           second(of, j, kQ) * e[i] + second(of, kQ, kQ) * e[i] * e[j];
+    return of.second(i, j) + of.second(i, kQ) * e[j] + of.second(j, kQ) * e[i] +
+           of.second(kQ, kQ) * e[i] * e[j];
   };
   const double share = c.gradient[kQ] / d.gradient[kQ];
   for (std::size_t i = 0; i < kStates; ++i) {

@@ -6,11 +6,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <utility>
 
-#include "extremal/backward_path.hpp"
+#include "extremal/arc_flow.hpp"
 #include "math/angle.hpp"
+#include "model/contact.hpp"
+#include "model/energy.hpp"
+#include "model/inertia.hpp"
 #include "model/units.hpp"
 
 namespace brachisto {
@@ -26,6 +30,126 @@ constexpr double kSlack = 1.0;
 constexpr int kDivisions = 2;  // of cells on a border, each into four
 // Two roots are the same if θ and φ agree to this [rad].
 constexpr double kSame = 1e-5;
+
+/// How a body arrives at B. An extremal is known by it: the centre ends at B,
+/// or where φ places it; there β = φ, the energy gives w, p_θ and p_w are 0,
+/// and 𝓗 = ∂𝓗/∂β = 0 leave
+///
+///     w (p_x cos φ + p_z sin φ) = −√A,
+///     w (p_z cos φ − p_x sin φ) = −η cos(θ − φ)/√A.
+struct TerminalCondition {
+  double theta = 0.0;  ///< orientation [rad]
+  double phi = 0.0;    ///< slope angle of the track, and of the path [rad]
+};
+
+/// Where the path comes from. Energy is conserved, so that w = 0 on the height
+/// of C_A if θ is θ_m; what is left to ask for is x and θ.
+struct InitialCondition {
+  double x = 0.0;      ///< of the centre, from C_A on
+  double theta = 0.0;  ///< [rad]
+  double transit_time = 0.0;
+};
+
+/// Integrates Hamilton's equations back from B.
+class BackwardShooting {
+ public:
+  /// \param natural  the scene, off-centred, with Contact::Smooth or
+  ///                 Contact::Centre, in natural units
+  /// \param longest  the path of the centre is given up when it gets longer
+  BackwardShooting(const Scene& natural, double longest)
+      : scene_(natural),
+        longest_(longest),
+        start_(start_of_centre(natural)),
+        flow_({natural, {}, 1.0 / natural.body.radius}) {}
+
+  /// Nothing if the body cannot be at B that way, if its path ends or makes a
+  /// loop (|β| > π), or if it does not come to rest.
+  ///
+  /// \param tolerance  local error of a step, in natural units
+  /// \param path       [out] if not null: from the start on, u ascending from 0
+  [[nodiscard]] std::optional<InitialCondition> shoot(
+      const TerminalCondition& terminal, double tolerance,
+      std::vector<arcs::Knot>* path) const {
+    using namespace arcs::free_arc;
+    using Rates = ocp::FlowRates<Flow, false>;
+    constexpr int kMostSteps = 100000;
+    constexpr double kShortest = 1e-8;
+    const auto& [theta, phi] = terminal;
+    const Body& body = scene_.body;
+    const double r = body.radius;
+    const Point end = end_of_centre(scene_, phi);
+    const double E = energy_height(body, end.z - start_.z, theta);
+    if (!(E > 0.0)) return std::nullopt;
+    const double w = fall_speed(scene_.gravity, E);
+    const double root = std::sqrt(inertia_factor(body, theta, phi));
+    const double along = -root / w;
+    const double across = -body.eta_m * std::cos(theta - phi) / (root * w);
+    const double p_x = along * std::cos(phi) - across * std::sin(phi);
+    const double p_z = along * std::sin(phi) + across * std::cos(phi);
+
+    ocp::AdaptiveIntegration<Rates> back(
+        Rates{flow_, phi},
+        Rates::stack_of({end.x, end.z, theta, w, p_x, p_z, 0.0, 0.0}));
+    if (back.failed()) return std::nullopt;
+    const auto& now = back.now();
+    double u = 0.0;
+    const auto tell = [&] {
+      if (path == nullptr) return;
+      path->push_back({u, Eigen::Map<const arcs::Node>(now.data(), Flow::kSize),
+                       now[Rates::kCost], back.rates().control});
+    };
+    // A fraction of a radian of the rolling, also where w is yet to grow.
+    double step = 0.3 * r / (w + std::sqrt(r));
+    tell();
+    for (int i = 0; now[kW] > 0.0; ++i) {
+      ++steps_;
+      const bool taken = back.step(-step, tolerance);
+      if (i == kMostSteps) return std::nullopt;
+      if (taken) u += step;
+      step *= back.factor();
+      if (!taken) {
+        if (step < kShortest) return std::nullopt;
+        continue;
+      }
+      const double left = longest_ - r * (theta - now[kTheta]);
+      if (back.failed() || std::abs(back.rates().control) > std::numbers::pi ||
+          std::abs(now[kX] - start_.x) > left) {
+        return std::nullopt;
+      }
+      if (now[kW] > 0.0) tell();
+    }
+    // w is smooth through zero: Newton's method on u.
+    for (int i = 0; i < 4; ++i) {
+      const double by = -now[kW] / back.slope()[kW];
+      back.step_unchecked(by);
+      u -= by;
+    }
+    if (back.failed() || !(std::abs(now[kW]) <= tolerance)) return std::nullopt;
+    if (path != nullptr) {
+      tell();
+      std::reverse(path->begin(), path->end());
+      for (arcs::Knot& knot : *path) {
+        knot.u = u - knot.u;
+        knot.t -= now[Rates::kCost];
+      }
+    }
+    return InitialCondition{now[kX] - start_.x, now[kTheta],
+                            -now[Rates::kCost]};
+  }
+
+  [[nodiscard]] const Scene& scene() const { return scene_; }
+  /// Steps of the integrator in all.
+  [[nodiscard]] long steps() const { return steps_; }
+
+ private:
+  using Flow = ocp::Flow<rolling::SteeredFalling>;
+
+  Scene scene_;
+  double longest_;
+  Point start_;  ///< C_A
+  Flow flow_;
+  mutable long steps_ = 0;
+};
 
 /// Grid over the terminal conditions.
 struct Grid {

@@ -6,7 +6,6 @@
 
 #pragma once
 
-#include "brachisto/model/path_limits.hpp"
 #include "brachisto/model/scene.hpp"
 
 namespace brachisto {

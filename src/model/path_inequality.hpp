@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "brachisto/model/body.hpp"
-#include "brachisto/model/path_limits.hpp"
+#include "brachisto/model/scene.hpp"
 #include "model/field.hpp"
 #include "model/inertia.hpp"
 #include "model/units.hpp"

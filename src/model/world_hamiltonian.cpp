@@ -17,6 +17,11 @@ double inverse_radius(const Body& body) {
   return body.rolls() ? 1.0 / body.radius : 0.0;
 }
 
+/// In an ordinary world no rate depends on the place.
+RollingState rolling_part(const MovingState& state) {
+  return {state.theta, state.w};
+}
+
 PhasePoint<double> phase_of(const MovingState& state, const Costates& p,
                             double beta) {
   return {state.centre.x, state.centre.z, state.theta, state.w, p.p_x,
@@ -47,27 +52,36 @@ PhaseJet hamiltonian_jet(const Scene& scene, double inverse_radius,
        variable(at.p_theta, 6), variable(at.p_w, 7), variable(at.beta, 8)});
 }
 
-namespace in_world {
-
 SlopeHamiltonian slope_hamiltonian(const Scene& scene, const MovingState& state,
                                    const Costates& p, double beta) {
+  if (!scene.world.changes_rates()) {
+    return slope_hamiltonian(scene.body, scene.gravity, rolling_part(state), p,
+                             beta);
+  }
   return by_slope(scene, phase_of(state, p, beta));
 }
 
 double hamiltonian(const Scene& scene, const MovingState& state,
                    const Costates& p, double beta) {
+  if (!scene.world.changes_rates()) {
+    return hamiltonian(scene.body, scene.gravity, rolling_part(state), p, beta);
+  }
   return hamiltonian_of(scene, inverse_radius(scene.body),
                         phase_of(state, p, beta));
 }
 
 double gain_of_other_directions(const Scene& scene, const MovingState& state,
                                 const Costates& p, double beta) {
+  if (!scene.world.changes_rates()) {
+    return gain_of_other_directions(scene.body, scene.gravity,
+                                    rolling_part(state), p, beta);
+  }
   constexpr int kDirections = 64;
-  const double own = in_world::hamiltonian(scene, state, p, beta);
+  const double own = hamiltonian(scene, state, p, beta);
   double gain = 0.0;
   for (int i = 0; i < kDirections && !std::isnan(gain); ++i) {
     const double other = 2.0 * std::numbers::pi * i / kDirections;
-    const double better = own - in_world::hamiltonian(scene, state, p, other);
+    const double better = own - hamiltonian(scene, state, p, other);
     // Written so that a NaN stays.
     gain = better <= gain ? gain : better;
   }
@@ -89,6 +103,9 @@ double slope_rate_along(const Scene& scene, const MovingState& state,
 
 double slope_rate(const Scene& scene, const MovingState& state,
                   const Costates& p, double beta) {
+  if (!scene.world.changes_rates()) {
+    return slope_rate(scene.body, scene.gravity, rolling_part(state), p, beta);
+  }
   const PhaseJet h = hamiltonian_jet(scene, inverse_radius(scene.body),
                                      phase_of(state, p, beta));
   // Hamilton's equations.
@@ -99,11 +116,13 @@ double slope_rate(const Scene& scene, const MovingState& state,
 
 double minimising_slope(const Scene& scene, const MovingState& state,
                         const Costates& p, double near) {
+  if (!scene.world.changes_rates()) {
+    return minimising_slope(scene.body, scene.gravity, rolling_part(state), p,
+                            near);
+  }
   return math::nearest_minimum(
       [&](double beta) { return by_slope(scene, phase_of(state, p, beta)); },
       near);
 }
-
-}  // namespace in_world
 
 }  // namespace brachisto

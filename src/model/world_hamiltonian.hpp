@@ -52,9 +52,9 @@ inline constexpr std::size_t kPhaseBeta = 8;  ///< the place of β
                                        double inverse_radius,
                                        const PhasePoint<double>& at);
 
-namespace in_world {
+// Of the same names and meanings as in model/hamiltonian.hpp; but where the
+// world changes rates, the value of slope_hamiltonian() is all of 𝓗.
 
-/// 𝓗 as a function of β; the value is all of 𝓗.
 [[nodiscard]] SlopeHamiltonian slope_hamiltonian(const Scene& scene,
                                                  const MovingState& state,
                                                  const Costates& p,
@@ -76,55 +76,5 @@ namespace in_world {
                                       const MovingState& state,
                                       const Costates& p, double beta,
                                       const std::array<double, 8>& rates);
-
-}  // namespace in_world
-
-// Of the same names and meanings as in model/hamiltonian.hpp.
-
-[[nodiscard]] inline SlopeHamiltonian slope_hamiltonian(
-    const Scene& scene, const MovingState& state, const Costates& p,
-    double beta) {
-  return scene.world.changes_rates()
-             ? in_world::slope_hamiltonian(scene, state, p, beta)
-             : slope_hamiltonian(scene.body, scene.gravity,
-                                 {state.theta, state.w}, p, beta);
-}
-
-[[nodiscard]] inline double hamiltonian(const Scene& scene,
-                                        const MovingState& state,
-                                        const Costates& p, double beta) {
-  return scene.world.changes_rates()
-             ? in_world::hamiltonian(scene, state, p, beta)
-             : hamiltonian(scene.body, scene.gravity, {state.theta, state.w}, p,
-                           beta);
-}
-
-[[nodiscard]] inline double gain_of_other_directions(const Scene& scene,
-                                                     const MovingState& state,
-                                                     const Costates& p,
-                                                     double beta) {
-  return scene.world.changes_rates()
-             ? in_world::gain_of_other_directions(scene, state, p, beta)
-             : gain_of_other_directions(scene.body, scene.gravity,
-                                        {state.theta, state.w}, p, beta);
-}
-
-[[nodiscard]] inline double slope_rate(const Scene& scene,
-                                       const MovingState& state,
-                                       const Costates& p, double beta) {
-  return scene.world.changes_rates()
-             ? in_world::slope_rate(scene, state, p, beta)
-             : slope_rate(scene.body, scene.gravity, {state.theta, state.w}, p,
-                          beta);
-}
-
-[[nodiscard]] inline double minimising_slope(const Scene& scene,
-                                             const MovingState& state,
-                                             const Costates& p, double near) {
-  return scene.world.changes_rates()
-             ? in_world::minimising_slope(scene, state, p, near)
-             : minimising_slope(scene.body, scene.gravity,
-                                {state.theta, state.w}, p, near);
-}
 
 }  // namespace brachisto

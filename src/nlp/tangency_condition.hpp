@@ -9,6 +9,8 @@
 #include <span>
 #include <vector>
 
+#include "brachisto/math/index.hpp"
+
 namespace brachisto::nlp {
 
 /// Nonzeros of a row or column; positions are fixed for life.
@@ -27,6 +29,21 @@ class TangencyCondition {
     double residual = 0.0;
     SparseVector by_x, by_lambda;
     double by_parameter = 0.0;
+
+    /// F_x u + F_λ v of the vector (u, v) with `num_variables` components of u.
+    [[nodiscard]] long double times(std::span<const double> y,
+                                    int num_variables) const {
+      long double sum = 0.0L;
+      const auto add = [&](const SparseVector& part, int offset) {
+        for (std::size_t i = 0; i < part.index.size(); ++i) {
+          sum += static_cast<long double>(part.value[i]) *
+                 y[at(offset + part.index[i])];
+        }
+      };
+      add(by_x, 0);
+      add(by_lambda, num_variables);
+      return sum;
+    }
   };
 
   virtual ~TangencyCondition() = default;
@@ -34,7 +51,7 @@ class TangencyCondition {
   /// Gives the problem's fixed variables their values at φ.
   virtual void set_parameter(double phi) = 0;
   /// d(value)/dφ of the fixed variables that move, at the last set_parameter().
-  [[nodiscard]] virtual const SparseVector& fixed_rates() const = 0;
+  [[nodiscard]] const SparseVector& fixed_rates() const { return fixed_rates_; }
   /// F at (x, λ) and the last set_parameter(). The reference stays valid until
   /// the next call.
   [[nodiscard]] virtual const Linearisation& linearise(
@@ -44,6 +61,9 @@ class TangencyCondition {
   TangencyCondition() = default;
   TangencyCondition(const TangencyCondition&) = default;
   TangencyCondition& operator=(const TangencyCondition&) = default;
+
+  SparseVector fixed_rates_;
+  Linearisation at_;  ///< what linearise() refers to
 };
 
 }  // namespace brachisto::nlp

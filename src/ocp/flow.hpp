@@ -140,7 +140,7 @@ class Flow {
 
   /// ∂²𝓗/∂u², positive on a free arc that is a minimum.
   [[nodiscard]] static Scalar legendre(const At<SecondOrder>& at) {
-    return second(at.hamiltonian, kControl, kControl);
+    return at.hamiltonian.second(kControl, kControl);
   }
 
   /// How u and μ change with the state.
@@ -149,11 +149,11 @@ class Flow {
   };
   [[nodiscard]] Eliminated eliminated(const At<SecondOrder>& at) const {
     const SecondOrder& h = at.hamiltonian;
-    const Scalar h_uu = second(h, kControl, kControl);
+    const Scalar h_uu = h.second(kControl, kControl);
     // ∂²𝓗/∂u∂(y, p)
     State mixed;
     for (std::size_t i = 0; i < kStates; ++i) {
-      mixed[i] = second(h, kControl, i);
+      mixed[i] = h.second(kControl, i);
       mixed[kStates + i] = at.rates.states[i].gradient[kControl];
     }
     Eliminated out{};
@@ -191,9 +191,9 @@ class Flow {
     for (std::size_t i = 0; i < kStates; ++i) {
       put(at.rates.states[i], out[i]);
       State& row = out[kStates + i];
-      const Scalar by_control = second(h, kControl, i);
+      const Scalar by_control = h.second(kControl, i);
       for (std::size_t j = 0; j < kStates; ++j) {
-        row[j] = -(second(h, i, j) + by_control * by.control[j]);
+        row[j] = -(h.second(i, j) + by_control * by.control[j]);
         row[kStates + j] = -(at.rates.states[j].gradient[i] +
                              by_control * by.control[kStates + j]);
       }
@@ -231,11 +231,6 @@ class Flow {
     std::copy_n(y.begin(), kStates, out.begin());
     out[kControl] = control;
     return out;
-  }
-  [[nodiscard]] static const Scalar& second(const SecondOrder& jet,
-                                            std::size_t i, std::size_t j) {
-    return jet.hessian[SecondOrder::pair(static_cast<int>(std::max(i, j)),
-                                         static_cast<int>(std::min(i, j)))];
   }
   /// The same point, in which the control alone is a variable.
   template <class Jet>

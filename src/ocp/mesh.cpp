@@ -8,6 +8,8 @@
 #include <numeric>
 #include <vector>
 
+#include "brachisto/math/index.hpp"
+
 namespace brachisto {
 
 Mesh::Place Mesh::locate(double sigma) const {
@@ -53,9 +55,9 @@ Mesh equidistribute(const Mesh& mesh, std::span<const double> errors,
   const auto n = static_cast<std::size_t>(mesh.num_elements());
   if (!std::all_of(errors.begin(), errors.end(),
                    [](double error) { return std::isfinite(error); })) {
-    Mesh halved = stretch(mesh, 2 * mesh.num_elements());
-    halved.degree = degree;
-    return halved;
+    Mesh finer = stretch(mesh, 2 * mesh.num_elements());
+    finer.degree = degree;
+    return finer;
   }
   // A share may vanish by accident of its sign: each element counts at least a
   // part of its neighbours'.
@@ -103,6 +105,15 @@ Mesh stretch(const Mesh& mesh, int count) {
       mesh,
       std::vector<double>(static_cast<std::size_t>(mesh.num_elements()), 1.0),
       count);
+}
+
+Mesh halved(const Mesh& mesh) {
+  Mesh out{mesh.degree, {0.0}};
+  for (int e = 0; e < mesh.num_elements(); ++e) {
+    out.boundaries.push_back(mesh.sigma(e, 0.5));
+    out.boundaries.push_back(mesh.boundaries[at(e + 1)]);
+  }
+  return out;
 }
 
 }  // namespace brachisto

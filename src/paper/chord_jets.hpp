@@ -20,11 +20,6 @@ enum Local { kDx, kLeftDrop, kRightDrop, kLeftTheta, kRightTheta, kNumLocals };
 
 using ChordJet = math::Jet2<double, kNumLocals>;
 
-/// Number of a symmetric pair of locals in a ChordJet's Hessian.
-[[nodiscard]] constexpr std::size_t pair_of(int a, int b) {
-  return a >= b ? ChordJet::pair(a, b) : ChordJet::pair(b, a);
-}
-
 /// All chords at one point: their times q_i and lengths l_i with first and
 /// second derivatives, and the multipliers λ_i of θ_{i+1} = θ_i + l_i/r in
 ///
@@ -49,8 +44,8 @@ class ChordJets {
 
   /// Second derivative of q_i + λ_i l_i/r.
   [[nodiscard]] double curvature(int i, int a, int b) const {
-    const std::size_t pair = pair_of(a, b);
-    return time(i).hessian[pair] + lambda(i) * turns_ * length(i).hessian[pair];
+    const std::size_t p = index(a), q = index(b);
+    return time(i).second(p, q) + lambda(i) * turns_ * length(i).second(p, q);
   }
 
  private:

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-#include "brachisto/posed/answer.hpp"
+#include "brachisto/posed/statement.hpp"
 
 #include <fmt/format.h>
 

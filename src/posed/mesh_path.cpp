@@ -89,13 +89,4 @@ PrimalDual MeshPath::on(const Mesh& mesh, const Layout& layout) const {
   return out;
 }
 
-Mesh halved(const Mesh& mesh) {
-  Mesh out{mesh.degree, {0.0}};
-  for (int e = 0; e < mesh.num_elements(); ++e) {
-    out.boundaries.push_back(mesh.sigma(e, 0.5));
-    out.boundaries.push_back(mesh.boundaries[at(e + 1)]);
-  }
-  return out;
-}
-
 }  // namespace brachisto::ocp

@@ -53,7 +53,4 @@ class MeshPath {
 /// Where a collocation point of Radau's scheme is, 0 … 1.
 [[nodiscard]] double sigma(const Mesh& mesh, int point);
 
-/// Each element cut in two.
-[[nodiscard]] Mesh halved(const Mesh& mesh);
-
 }  // namespace brachisto::ocp

@@ -14,6 +14,7 @@
 #include <optional>
 #include <random>
 #include <stdexcept>
+#include <utility>
 
 #include "brachisto/math/index.hpp"
 #include "nlp/active_set.hpp"
@@ -69,19 +70,26 @@ class Checker {
   Checker(nlp::Problem& problem, const PrimalDual& point)
       : problem_(problem), point_(point), directions_(problem, point.x) {}
 
+  /// \param entries     of the pattern of derivatives
   /// \param function    F at the point the problem is at
   /// \param derivative  D d there
   /// \param row_name    of F
-  void check(DerivativeCheck& out, const std::function<Vector()>& function,
-             const std::function<RowSums(const Vector& d)>& derivative,
-             const std::function<std::string(int)>& row_name) {
+  DerivativeCheck check(
+      std::string name, std::size_t entries, int rows, int columns,
+      const std::function<Vector()>& function,
+      const std::function<RowSums(const Vector& d)>& derivative,
+      const std::function<std::string(int)>& row_name) {
+    DerivativeCheck out{.name = std::move(name),
+                        .entries = entries,
+                        .rows = rows,
+                        .columns = columns};
     constexpr int kDirections = 8;
     constexpr std::array kSteps = {1e-3, 1e-4, 1e-5};
     for (int k = 0; k < kDirections; ++k) {
       const Vector d = directions_.next();
       move_to(point_.x);
       const RowSums ours = derivative(d);
-      if (ours.absolute.empty()) return;
+      if (ours.absolute.empty()) return out;
       // Of a row whose terms are all small rounding is that of the largest.
       constexpr double kOfLargest = 1e-3;
       const double most = std::ranges::max(ours.absolute);
@@ -106,6 +114,7 @@ class Checker {
         out.worst_row = row_name(static_cast<int>(i));
       }
     }
+    return out;
   }
 
  private:
@@ -171,10 +180,8 @@ ProgramCheck check_program(nlp::Problem& problem, const PrimalDual& point) {
   const auto variable = [&](int i) { return problem.variable_name(i); };
   const auto constraint = [&](int i) { return problem.constraint_name(i); };
 
-  DerivativeCheck gradient{
-      .name = "gradient", .entries = at(n), .rows = 1, .columns = n};
-  checker.check(
-      gradient, [&] { return Vector{problem.eval_f()}; },
+  DerivativeCheck gradient = checker.check(
+      "gradient", at(n), 1, n, [&] { return Vector{problem.eval_f()}; },
       [&](const Vector& d) {
         RowSums sums(1);
         const Vector values = gradient_of(problem);
@@ -186,10 +193,8 @@ ProgramCheck check_program(nlp::Problem& problem, const PrimalDual& point) {
 
   const nlp::SparsityPattern& jacobian = problem.jac_g_pattern();
   Vector values(jacobian.num_entries());
-  DerivativeCheck first{
-      .name = "Jacobian", .entries = values.size(), .rows = m, .columns = n};
-  checker.check(
-      first,
+  DerivativeCheck first = checker.check(
+      "Jacobian", values.size(), m, n,
       [&] {
         Vector g(at(m));
         problem.eval_g(g);
@@ -207,10 +212,8 @@ ProgramCheck check_program(nlp::Problem& problem, const PrimalDual& point) {
 
   const nlp::SparsityPattern& hessian = problem.hess_lag_pattern();
   Vector curvatures(hessian.num_entries());
-  DerivativeCheck second{
-      .name = "Hessian", .entries = curvatures.size(), .rows = n, .columns = n};
-  checker.check(
-      second,
+  DerivativeCheck second = checker.check(
+      "Hessian", curvatures.size(), n, n,
       [&] {
         Vector out_of = gradient_of(problem);
         problem.eval_jac_g(values);

@@ -4,19 +4,21 @@
 #include "refinement/free_rates.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <span>
 
 #include "brachisto/math/index.hpp"
+#include "brachisto/math/jet.hpp"
 #include "brachisto/nlp/problem.hpp"
 #include "math/central_difference.hpp"
 #include "math/dense.hpp"
+#include "model/field.hpp"
 #include "model/start_angle.hpp"
 #include "refinement/mesh_solve.hpp"
 #include "refinement/start_closure.hpp"
 #include "refinement/surface_passages.hpp"
-#include "transcription/passage_equation.hpp"
 #include "transcription/prolongation.hpp"
 
 namespace brachisto {
@@ -58,19 +60,27 @@ Scene beginning_on(Scene scene, const std::vector<FieldSide>& sides) {
   return scene;
 }
 
-/// C_y y.
-double along(const nlp::TangencyCondition::Linearisation& row,
-             std::span<const double> y, int num_variables) {
-  long double sum = 0.0L;
-  const auto add = [&](const nlp::SparseVector& part, int offset) {
-    for (std::size_t i = 0; i < part.index.size(); ++i) {
-      sum += static_cast<long double>(part.value[i]) *
-             y[at(offset + part.index[i])];
-    }
-  };
-  add(row.by_x, 0);
-  add(row.by_lambda, num_variables);
-  return static_cast<double>(sum);
+/// The height h of the centre of mass above the surface of the scene's field at
+/// the beginning of an element, and its derivatives by x, z and θ there.
+/// h = 0 determines where that end lies, on which h itself does not depend.
+nlp::TangencyCondition::Linearisation height_at_beginning(
+    const RollingTime& problem, int element, std::span<const double> x) {
+  using Jet = math::Jet1<double, 3>;
+  const VariableLayout& layout = problem.layout();
+  const int node = element * problem.mesh().degree;
+  nlp::TangencyCondition::Linearisation out;
+  std::array<Jet, 3> y;  // x, z and θ
+  for (int i = 0; i < 3; ++i) {
+    if (!layout.has_state(i)) continue;
+    out.by_x.index.push_back(layout.state(node, i));
+    y[at(i)] = Jet::variable(x[at(out.by_x.index.back())], i);
+  }
+  const Jet h = height_of_mass(problem.scene(), y[0], y[1], y[2]);
+  out.residual = h.value;
+  for (std::size_t i = 0; i < out.by_x.index.size(); ++i) {
+    out.by_x.value.push_back(h.gradient[i]);
+  }
+  return out;
 }
 
 }  // namespace
@@ -206,8 +216,8 @@ FreeRates::Rates FreeRates::followed(Partial by) {
     return {by.lagrangian, by.open};
   }
   for (Eigen::Index i = 0; i < by.open.size(); ++i) {
-    by.open[i] += along(rows_[static_cast<std::size_t>(i)], direction,
-                        at_.problem.num_variables());
+    by.open[i] += static_cast<double>(rows_[static_cast<std::size_t>(i)].times(
+        direction, at_.problem.num_variables()));
   }
   return {by.lagrangian, by.open};
 }

@@ -299,8 +299,30 @@ class LimitedSolve {
         leap *= 0.5;
       }
     }
+    const bool proven =
+        status == Status::NoSmoothContact || status == Status::NoAdmissiblePath;
+    if (!answer_ && !proven) come_nearer();
     if (answer_) return loosened_.clear();
     protocol_.fail(status, message);
+  }
+  /// Where nothing that begins with the free path leads on, a path that owes it
+  /// nothing may: with work of its own, for the answer is not to be beaten by
+  /// the first cold start that someone tries under limits a little nearer.
+  void come_nearer() {
+    constexpr double kLeaps[] = {0.3, 0.1};
+    constexpr double kNothing = 1e-3, kOfEach = 0.2;
+    protocol_.tries("from random paths under looser limits");
+    protocol_.most_work = protocol_.work + kSearchNearer * most_work_;
+    for (const double leap : kLeaps) {
+      while (!stopped() && loosened_.back().by >= kNothing) {
+        const double next = loosened_.back().by * (1.0 - leap);
+        if (next <= shut_to_) break;
+        auto found = path_under(next, &LimitedWays::from_random, kOfEach);
+        if (!found) break;
+        loosened_.push_back(*std::move(found));
+        follow_tighter();
+      }
+    }
   }
   /// What was found under the limits asked for.
   void take(const LoosenedPath& asked) {

@@ -27,10 +27,11 @@ namespace brachisto {
 /// The shares of it, each from where its way begins: under the limits asked
 /// for, from what the free path leads to, beside what a rough try takes; for
 /// random starts, and for what they lead to; for meshes that know no arcs,
-/// where the first share left them too little; under looser limits.
+/// where the first share left them too little; under looser limits, and from
+/// random starts there.
 inline constexpr double kSearchAsAsked = 0.52, kSearchCold = 0.12,
                         kSearchFromCold = 0.15, kSearchOnMesh = 0.4,
-                        kSearchLooser = 0.4;
+                        kSearchLooser = 0.4, kSearchNearer = 0.3;
 /// The share that certifying a looser path has at the least, should the search
 /// have gone beyond its own.
 inline constexpr double kCertifyLooser = 0.1;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "refinement/arc_following.hpp"
+#include "refinement/cold_paths.hpp"
 #include "refinement/open_conditions.hpp"
 #include "solvers/pivot_store.hpp"
 
@@ -179,6 +180,20 @@ std::optional<FittedPath> LimitedWays::follow_from_loosest() {
     return way.path ? from_nearby(*way.path) : std::nullopt;
   }
   return std::move(way.path);
+}
+
+std::optional<FittedPath> LimitedWays::from_random() {
+  constexpr int kStarts = 3;
+  const double each = (protocol_.most_work - protocol_.work) / (kStarts + 1);
+  const std::vector<LimitedCurve> found =
+      cold_paths(scene_, free_, phi_, protocol_.left(options_.ipopt), kStarts,
+                 each, protocol_);
+  std::optional<FittedPath> path;
+  for (std::size_t i = 0; i < found.size() && !path && !mesh_ && !ended();
+       ++i) {
+    path = from_tight(found[i]);
+  }
+  return path;
 }
 
 std::optional<FittedPath> LimitedWays::from_mesh() {

@@ -42,6 +42,9 @@ class LimitedWays {
   [[nodiscard]] std::optional<FittedPath> from_tight(const LimitedCurve& found);
   /// What a path under other limits leads to.
   [[nodiscard]] std::optional<FittedPath> from_beside(const LimitedCurve& path);
+  /// What the best of a few random paths leads to, each found with a share of
+  /// the work that is left.
+  [[nodiscard]] std::optional<FittedPath> from_random();
 
   /// On meshes that know no arcs; arcs are read off where one is finest. Once.
   [[nodiscard]] std::optional<FittedPath> from_mesh();

@@ -33,15 +33,6 @@ enum class First { DrawnIn, Finer };
 /// By element, then limit.
 using Margins = std::vector<std::vector<double>>;
 
-Mesh halved(const Mesh& mesh) {
-  Mesh next{mesh.degree, {0.0}};
-  for (int e = 0; e < mesh.num_elements(); ++e) {
-    next.boundaries.push_back(mesh.sigma(e, 0.5));
-    next.boundaries.push_back(mesh.boundaries[at(e + 1)]);
-  }
-  return next;
-}
-
 double sum_of(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }

@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "brachisto/model/path_limits.hpp"
+#include "brachisto/model/scene.hpp"
 #include "brachisto/trajectory/motion.hpp"
 
 namespace brachisto::report {

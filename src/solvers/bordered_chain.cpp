@@ -53,18 +53,7 @@ void BorderedChain::couple(std::span<const double> x, std::span<double> rhs,
 
 /// qᵀu + sᵀv of the vector (u, v).
 long double BorderedChain::tangency_product(std::span<const double> x) const {
-  const nlp::TangencyCondition::Linearisation& row = system_.tangency_row();
-  const int n = system_.problem().num_variables();
-  long double sum = 0.0L;
-  const auto add = [&](const nlp::SparseVector& part, int offset) {
-    for (std::size_t e = 0; e < part.index.size(); ++e) {
-      sum += static_cast<long double>(part.value[e]) *
-             x[at(offset + part.index[e])];
-    }
-  };
-  add(row.by_x, 0);
-  add(row.by_lambda, n);
-  return sum;
+  return system_.tangency_row().times(x, system_.problem().num_variables());
 }
 
 bool BorderedChain::factorise() {

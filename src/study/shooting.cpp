@@ -75,17 +75,13 @@ PrimalDual sample_extremal(const ExtremalSolution& extremal, const Units& units,
       });
 }
 
-ExtremalSolution shoot(const Scene& scene, double tolerance,
-                       const StopCondition& stop) {
+ExtremalSolution shoot(const Scene& scene, const StopCondition& stop,
+                       double tolerance) {
   ExtremalOptions options;
   options.follow_folds = true;
   options.tolerance = tolerance;
   options.stop = stop;
   return solve_extremal(scene, options);
-}
-
-ExtremalSolution shoot(const PosedProblem& posed, double tolerance) {
-  return shoot(posed.scene, tolerance, posed.stop());
 }
 
 Outcome outcome_of(const ExtremalSolution& extremal) {

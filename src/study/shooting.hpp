@@ -28,10 +28,9 @@ namespace brachisto {
 
 /// The principal extremal, through folds, by the indirect method.
 /// \param tolerance  relative, of T
-[[nodiscard]] ExtremalSolution shoot(const Scene& scene, double tolerance,
-                                     const StopCondition& stop);
-[[nodiscard]] ExtremalSolution shoot(const PosedProblem& posed,
-                                     double tolerance);
+[[nodiscard]] ExtremalSolution shoot(
+    const Scene& scene, const StopCondition& stop,
+    double tolerance = ExtremalOptions{}.tolerance);
 
 /// How the indirect method ended.
 /// \pre it had a cycloid to start from; see without_cycloid()

@@ -169,7 +169,7 @@ void solve_program(const PosedProblem& posed, const Start& start,
 /// problem on a fine mesh, which they must satisfy, is their certificate.
 void solve_by_shooting(const PosedProblem& posed, Solution& out) {
   if (posed.limited) return shoot_under_limits(posed, out);
-  const ExtremalSolution extremal = shoot(posed, ExtremalOptions{}.tolerance);
+  const ExtremalSolution extremal = shoot(posed.scene, posed.stop());
   record(extremal, out);
   if (extremal.status == ExtremalStatus::NoCycloid) {
     Outcome outcome = without_cycloid(posed);
@@ -231,7 +231,7 @@ void solve_by_discrete_system(const PosedProblem& posed,
   record(Outcome{found.status, found.message}, out);
   if (!found.solved()) return;
   const CertificateTimer timer(out.effort);
-  const ExtremalSolution extremal = shoot(posed, ExtremalOptions{}.tolerance);
+  const ExtremalSolution extremal = shoot(posed.scene, posed.stop());
   record(extremal, out);
   const CrossCheck check = compare_with(extremal, found.tau / extremal.tau);
   record(Certified{certify_discrete(found, check), check}, out);

@@ -57,7 +57,7 @@ std::string slow_at_end(const CycloidArc& arc) {
 void follow_folds(const PosedProblem& posed, Start& start) {
   constexpr double kEnoughToStartFrom = 1e-10;
   const ExtremalSolution extremal =
-      shoot(in_ordinary_world(posed.scene), kEnoughToStartFrom, posed.stop());
+      shoot(in_ordinary_world(posed.scene), posed.stop(), kEnoughToStartFrom);
   start.newton_steps += extremal.newton_steps;
   if (!extremal.usable()) {
     start.message += ". By shooting: " + extremal.message;

@@ -112,12 +112,6 @@ MeshMotion::Place LaneMotion::place(int element, double t) const {
   return out;
 }
 
-StartLimits LaneMotion::limits_at_start() const {
-  PathState start = place(0, 0.0).state;
-  start.beta = start_angle();
-  return start_limits(natural(), start);
-}
-
 namespace {
 
 /// Where the slope at the start puts the centre: pushed, it is the path's own.

@@ -37,7 +37,6 @@ class LaneMotion final : public MeshMotion {
   friend Certificate certify(const LaneMotion& motion);
 
   [[nodiscard]] Place place(int element, double t) const override;
-  [[nodiscard]] StartLimits limits_at_start() const override;
 
   /// Energy that the air takes from the beginning of a step to its place t, per
   /// mass.

@@ -54,8 +54,8 @@ PathByPlace::Place PathByPlace::at(int e, double t) {
   // ∂𝓗/∂β = 0 differentiated along the polynomials.
   const Scene& scene = curve_.scene();
   if (in_world_) {
-    out.turning = in_world::slope_rate_along(curve_.scene_in(e), point.state(),
-                                             point.p, point.beta, rates);
+    out.turning = slope_rate_along(curve_.scene_in(e), point.state(), point.p,
+                                   point.beta, rates);
     return out;
   }
   const auto [beta, cosine, sine] = out.along;

@@ -36,6 +36,12 @@ StartLimits MeshMotion::at_start() const {
   return out;
 }
 
+StartLimits MeshMotion::limits_at_start() const {
+  PathState start = place(0, 0.0).state;
+  start.beta = start_angle();
+  return start_limits(natural(), start);
+}
+
 TrajectoryPoint MeshMotion::row(int element, double t, double sigma) const {
   const auto [state, time, s] = place(element, t);
   TrajectoryPoint out;
@@ -114,12 +120,6 @@ MeshMotion::Place Trajectory::place(int element, double t) const {
            slope_rate(natural(), at.state(), at.p, at.beta)},
           at.t,
           at.s};
-}
-
-StartLimits Trajectory::limits_at_start() const {
-  PathState start = place(0, 0.0).state;
-  start.beta = start_angle();
-  return start_limits(natural(), start);
 }
 
 // ---- Under limits.

@@ -64,7 +64,7 @@ class MeshMotion : public Motion {
   /// At the place t of an element.
   [[nodiscard]] virtual Place place(int element, double t) const = 0;
   /// at_start() in natural units.
-  [[nodiscard]] virtual StartLimits limits_at_start() const = 0;
+  [[nodiscard]] virtual StartLimits limits_at_start() const;
 
   [[nodiscard]] const Scene& natural() const { return natural_; }
 
@@ -98,7 +98,6 @@ class Trajectory final : public MeshMotion {
 
  private:
   [[nodiscard]] Place place(int element, double t) const override;
-  [[nodiscard]] StartLimits limits_at_start() const override;
 
   ExtremalCurve curve_;
 };

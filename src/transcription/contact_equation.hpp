@@ -21,9 +21,6 @@ class ContactEquation final : public nlp::TangencyCondition {
   explicit ContactEquation(Transcription& problem);
 
   void set_parameter(double phi) override;
-  [[nodiscard]] const nlp::SparseVector& fixed_rates() const override {
-    return fixed_rates_;
-  }
   /// May move the problem to x.
   [[nodiscard]] const Linearisation& linearise(
       std::span<const double> x, std::span<const double> lambda) override;
@@ -31,8 +28,6 @@ class ContactEquation final : public nlp::TangencyCondition {
  private:
   Transcription& problem_;
   double phi_ = 0.0;
-  nlp::SparseVector fixed_rates_;
-  Linearisation at_;
 };
 
 }  // namespace brachisto

@@ -13,7 +13,6 @@
 #include "brachisto/math/index.hpp"
 #include "model/field.hpp"
 #include "model/start_angle.hpp"
-#include "ocp/rates_by_length.hpp"
 #include "transcription/program_formulas.hpp"
 
 namespace brachisto {
@@ -248,11 +247,64 @@ void LimitedTime::put_hess_lag(double objective_factor,
   });
 }
 
+// Of each point, with v = h u the control's unknown,
+//
+//     ∂L/∂h = U (b L̃ − λ·f̃) − Σ μ ∂c/∂u u/h,   f̃ = f − u ∂f/∂u, L̃ alike.
 void LimitedTime::add_rates_by_length(int element, double rate,
                                       std::span<const double> lambda,
                                       std::span<double> out) const {
-  ocp::add_rates_by_length(collocation(), element, mesh().length(element),
-                           rolling_time(), rate, x(), lambda, out);
+  using Turning = ocp::Collocation<rolling::Turning>;
+  using Jet = Turning::Jet;
+  constexpr int kControl = Turning::kControl;
+  const Turning& collocation = this->collocation();
+  const ocp::Layout& layout = collocation.layout();
+  const CollocationScheme& scheme = collocation.scheme();
+  const std::span<const double> x = this->x();
+  const double h = mesh().length(element), U = rolling_time();
+  const int n = layout.num_variables();
+  for (int j = 0; j < scheme.degree; ++j) {
+    const int c = element * scheme.degree + j;
+    const double u = x[at(layout.control(c))] / h;
+    const auto [cost, states] = collocation.second(c);
+    const auto index = [&](int a) {
+      return at(a == kControl ? layout.control(c) : layout.state(c + 1, a));
+    };
+    // By the unknown of a local one.
+    const auto by_unknown = [&](int a) {
+      return a == kControl ? 1.0 / h : 1.0;
+    };
+    // f̃ and its derivatives, a factor standing before it. Of a rate that is the
+    // control, f − u ∂f/∂u is 0 without rounding.
+    const auto add = [&](const Jet& f, double factor) {
+      out[at(layout.last())] +=
+          rate * factor * (f.value - u * f.gradient[kControl]);
+      for (const int a : collocation.local().by_duration) {
+        const double by_a = a == kControl ? 0.0 : f.gradient[at(a)];
+        out[index(a)] += rate * U * factor *
+                         (by_a - u * f.hessian[Jet::pair(kControl, a)]) *
+                         by_unknown(a);
+      }
+    };
+    add(cost, scheme.rule.weights[at(j)]);
+    for (std::size_t s = 0; s < Turning::kStates; ++s) {
+      if (!layout.has_state(static_cast<int>(s))) continue;
+      const int row = layout.defect(c, static_cast<int>(s));
+      const Jet& f = states[s];
+      add(f, -lambda[at(row)]);
+      out[at(n + row)] -= rate * U * (f.value - u * f.gradient[kControl]);
+    }
+    for (int i = 0; i < layout.num_limits(); ++i) {
+      const int row = layout.limit(c, i);
+      const auto value = collocation.limit_at(c, i).unpacked<Jet>();
+      const double mu = rate * lambda[at(row)];
+      out[at(n + row)] -= rate * (u / h) * value.gradient[kControl];
+      for (const int a : collocation.local().limits[at(i)].by) {
+        out[index(a)] -= mu * (u / h) * value.hessian[Jet::pair(kControl, a)] *
+                         by_unknown(a);
+      }
+      out[index(kControl)] -= mu * value.gradient[kControl] / (h * h);
+    }
+  }
 }
 
 }  // namespace brachisto

@@ -3,7 +3,6 @@
 
 #include "transcription/rolling_time.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -175,12 +174,8 @@ Transcription::End RollingTime::world_end(
     const auto add = [&](int index, double share, int local) {
       End::Rate& rate = by(index);
       const double factor = h * U * c * lambda_w * share;
-      const auto second = [&](int place) {
-        return gain
-            .hessian[Jet::pair(std::max(place, local), std::min(place, local))];
-      };
-      rate.p_x += factor * second(0);
-      rate.p_z += factor * second(1);
+      rate.p_x += factor * gain.second(0, at(local));
+      rate.p_z += factor * gain.second(1, at(local));
     };
     for (int a = 0; a < collocation.kLocals; ++a) {
       if (a == 2 && !layout().has_theta()) continue;

@@ -27,9 +27,6 @@ class StartEquation final : public nlp::TangencyCondition {
   explicit StartEquation(RollingTime& problem);
 
   void set_parameter(double alpha) override;
-  [[nodiscard]] const nlp::SparseVector& fixed_rates() const override {
-    return fixed_rates_;
-  }
   /// Moves the problem to x.
   [[nodiscard]] const Linearisation& linearise(
       std::span<const double> x, std::span<const double> lambda) override;
@@ -46,8 +43,6 @@ class StartEquation final : public nlp::TangencyCondition {
   double alpha_ = 0.0;
   std::vector<StateComponent> states_;
   std::vector<Entry> of_hess_, of_jac_;
-  nlp::SparseVector fixed_rates_;
-  Linearisation at_;
 };
 
 }  // namespace brachisto

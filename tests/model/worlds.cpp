@@ -83,15 +83,16 @@ TEST(AField, OfASphereIsContinuousAtItsSurfaceAndHasItsStrengthThere) {
 }
 
 TEST(WorldsHamiltonian, IsTheOrdinaryOneWhereNothingElseActs) {
-  const Scene scene = off_centred_scene(-0.5);
+  // On the way to a field, where it has no share yet.
+  Scene scene = about_sphere(off_centred_scene(-0.5), around());
+  scene.world.field_share = 0.0;
   const MovingState state{{0.3, 0.2}, 0.7, 1.3};
   const RollingState rolling{state.theta, state.w};
   const Costates p{-0.4, 0.2, 0.05, -0.3};
   for (const double beta : {-1.0, 0.3, 1.4}) {
     const SlopeHamiltonian ordinary =
         slope_hamiltonian(scene.body, scene.gravity, rolling, p, beta);
-    const SlopeHamiltonian any =
-        in_world::slope_hamiltonian(scene, state, p, beta);
+    const SlopeHamiltonian any = slope_hamiltonian(scene, state, p, beta);
 
     // Some ulps of terms up to g.
     constexpr double kRounding = 1e-14;
@@ -103,11 +104,11 @@ TEST(WorldsHamiltonian, IsTheOrdinaryOneWhereNothingElseActs) {
   }
   const double beta =
       minimising_slope(scene.body, scene.gravity, rolling, p, 0.3);
-  EXPECT_NEAR(in_world::minimising_slope(scene, state, p, 0.3), beta, 1e-13);
-  EXPECT_NEAR(in_world::slope_rate(scene, state, p, beta),
+  EXPECT_NEAR(minimising_slope(scene, state, p, 0.3), beta, 1e-13);
+  EXPECT_NEAR(slope_rate(scene, state, p, beta),
               slope_rate(scene.body, scene.gravity, rolling, p, beta), 1e-12);
   EXPECT_NEAR(
-      in_world::gain_of_other_directions(scene, state, p, 0.3),
+      gain_of_other_directions(scene, state, p, 0.3),
       gain_of_other_directions(scene.body, scene.gravity, rolling, p, 0.3),
       1e-13);
 }

@@ -58,14 +58,13 @@ class TwoBranches final : public SmallProblem {
 /// x₂ = φ and φ + x₀ + λ = c: with λ = −1 and x₀ = √φ, φ + √φ = c + 1.
 class SumIs final : public nlp::TangencyCondition {
  public:
-  SumIs(TwoBranches& problem, double sum) : problem_(problem), sum_(sum) {}
+  SumIs(TwoBranches& problem, double sum) : problem_(problem), sum_(sum) {
+    fixed_rates_ = {{2}, {1.0}};
+  }
 
   void set_parameter(double phi) override {
     phi_ = phi;
     problem_.fix(2, phi);
-  }
-  [[nodiscard]] const nlp::SparseVector& fixed_rates() const override {
-    return rates_;
   }
   [[nodiscard]] const Linearisation& linearise(
       std::span<const double> x, std::span<const double> lambda) override {
@@ -80,8 +79,6 @@ class SumIs final : public nlp::TangencyCondition {
   TwoBranches& problem_;
   double sum_;
   double phi_ = 1.0;
-  nlp::SparseVector rates_{{2}, {1.0}};
-  Linearisation at_;
 };
 
 TEST(NewtonKkt, SolvesForTheParameterToo) {

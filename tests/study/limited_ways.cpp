@@ -74,16 +74,18 @@ INSTANTIATE_TEST_SUITE_P(Problems, WaysTo,
                                            "bead_with_floor.yaml",
                                            "table_in_the_way.yaml"));
 
-TEST(LimitedWays, LeadABeadAtOnceAlongItsCycloidAndFloor) {
+TEST(LimitedWays, LeadABeadAlongItsCycloidAndFloor) {
   const PosedFile posed("bead_with_floor.yaml");
+  for (const auto way :
+       {&LimitedWays::find_at_once, &LimitedWays::from_random}) {
+    const Found found = found_by(posed, way);
 
-  const Found found = found_by(posed, &LimitedWays::find_at_once);
-
-  ASSERT_TRUE(found.answer && found.answer->estimated_error);
-  EXPECT_NEAR(found.answer->path.curve.transit_time() /
-                  std::sqrt(posed.problem.limited->H) /
-                  (3.0 + std::numbers::pi / 2.0),
-              1.0, *found.answer->estimated_error);
+    ASSERT_TRUE(found.answer && found.answer->estimated_error);
+    EXPECT_NEAR(found.answer->path.curve.transit_time() /
+                    std::sqrt(posed.problem.limited->H) /
+                    (3.0 + std::numbers::pi / 2.0),
+                1.0, *found.answer->estimated_error);
+  }
 }
 
 TEST(LimitedWays, ThatFindNothingAtOnceLeaveNoVerdict) {

@@ -46,6 +46,12 @@ struct Jet1 {
     return out;
   }
 
+  /// The same beside jets of the second order, whose f'' is never asked for.
+  template <std::invocable Second>
+  [[nodiscard]] Jet1 chain(Real f, Real df, const Second&) const {
+    return chain(f, df);
+  }
+
   Jet1& operator+=(const Jet1& other) {
     value += other.value;
     for (std::size_t i = 0; i < gradient.size(); ++i) {
@@ -97,32 +103,6 @@ template <class Real, int Size>
   return a.chain(cos(a.value), -sin(a.value));
 }
 
-template <class Real, int Size>
-[[nodiscard]] Jet1<Real, Size> sqrt(const Jet1<Real, Size>& a) {
-  using std::sqrt;
-  const Real root = sqrt(a.value);
-  return a.chain(root, Real(0.5) / root);
-}
-
-template <class Real, int Size>
-[[nodiscard]] Jet1<Real, Size> exp(const Jet1<Real, Size>& a) {
-  using std::exp;
-  const Real power = exp(a.value);
-  return a.chain(power, power);
-}
-
-template <class Real, int Size>
-[[nodiscard]] Jet1<Real, Size> log(const Jet1<Real, Size>& a) {
-  using std::log;
-  return a.chain(log(a.value), Real(1) / a.value);
-}
-
-template <class Real, int Size>
-[[nodiscard]] Jet1<Real, Size> atan(const Jet1<Real, Size>& a) {
-  using std::atan;
-  return a.chain(atan(a.value), Real(1) / (Real(1) + a.value * a.value));
-}
-
 /// Value, gradient and Hessian (lower triangle, row by row) with respect to
 /// `Size` independent variables.
 ///
@@ -151,6 +131,11 @@ struct Jet2 {
   [[nodiscard]] static constexpr std::size_t pair(int i, int j) {
     return static_cast<std::size_t>(i * (i + 1) / 2 + j);
   }
+  /// ∂²/∂i∂j, whichever is the larger one.
+  [[nodiscard]] const Real& second(std::size_t i, std::size_t j) const {
+    const auto a = static_cast<int>(i), b = static_cast<int>(j);
+    return hessian[a >= b ? pair(a, b) : pair(b, a)];
+  }
 
   /// f(jet) from f, f' and f'' at its value, by the chain rule.
   [[nodiscard]] Jet2 chain(Real f, Real df, Real d2f) const {
@@ -165,6 +150,12 @@ struct Jet2 {
       }
     }
     return out;
+  }
+
+  /// The same, f'' being what d2f() gives.
+  template <std::invocable Second>
+  [[nodiscard]] Jet2 chain(Real f, Real df, const Second& d2f) const {
+    return chain(f, df, Real(d2f()));
   }
 
   /// The same of a function that is linear.
@@ -248,33 +239,37 @@ template <class Real, int Size>
   return a.chain(c, -sin(a.value), -c);
 }
 
-template <class Real, int Size>
-[[nodiscard]] Jet2<Real, Size> sqrt(const Jet2<Real, Size>& a) {
+// Of jets of either order. Sines and cosines stand with theirs: a proof keeps
+// the order in which it is asked for both.
+
+template <template <class, int> class Jet, class Real, int Size>
+[[nodiscard]] Jet<Real, Size> sqrt(const Jet<Real, Size>& a) {
   using std::sqrt;
   const Real root = sqrt(a.value);
   const Real slope = Real(0.5) / root;
-  return a.chain(root, slope, -slope / (Real(2) * a.value));
+  return a.chain(root, slope, [&] { return -slope / (Real(2) * a.value); });
 }
 
-template <class Real, int Size>
-[[nodiscard]] Jet2<Real, Size> exp(const Jet2<Real, Size>& a) {
+template <template <class, int> class Jet, class Real, int Size>
+[[nodiscard]] Jet<Real, Size> exp(const Jet<Real, Size>& a) {
   using std::exp;
   const Real power = exp(a.value);
-  return a.chain(power, power, power);
+  return a.chain(power, power, [&] { return power; });
 }
 
-template <class Real, int Size>
-[[nodiscard]] Jet2<Real, Size> log(const Jet2<Real, Size>& a) {
+template <template <class, int> class Jet, class Real, int Size>
+[[nodiscard]] Jet<Real, Size> log(const Jet<Real, Size>& a) {
   using std::log;
   const Real slope = Real(1) / a.value;
-  return a.chain(log(a.value), slope, -slope * slope);
+  return a.chain(log(a.value), slope, [&] { return -slope * slope; });
 }
 
-template <class Real, int Size>
-[[nodiscard]] Jet2<Real, Size> atan(const Jet2<Real, Size>& a) {
+template <template <class, int> class Jet, class Real, int Size>
+[[nodiscard]] Jet<Real, Size> atan(const Jet<Real, Size>& a) {
   using std::atan;
   const Real slope = Real(1) / (Real(1) + a.value * a.value);
-  return a.chain(atan(a.value), slope, Real(-2) * a.value * slope * slope);
+  return a.chain(atan(a.value), slope,
+                 [&] { return Real(-2) * a.value * slope * slope; });
 }
 
 /// On which of `Size` independent variables a formula depends, whatever their

@@ -80,6 +80,9 @@ struct Mesh {
 /// A mesh of `count` elements whose lengths follow those of `mesh`.
 [[nodiscard]] Mesh stretch(const Mesh& mesh, int count);
 
+/// Each element cut in two.
+[[nodiscard]] Mesh halved(const Mesh& mesh);
+
 /// Collocation of degree p on the element [0, 1]: a polynomial of degree p is
 /// given by its values at p + 1 nodes, both ends among them, and satisfies the
 /// differential equation at p points.

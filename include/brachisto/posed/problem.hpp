@@ -23,7 +23,6 @@
 #include "brachisto/math/index.hpp"
 #include "brachisto/ocp/end_functions.hpp"
 #include "brachisto/ocp/least_cost.hpp"
-#include "brachisto/posed/answer.hpp"
 #include "brachisto/posed/statement.hpp"
 
 namespace brachisto::ocp {

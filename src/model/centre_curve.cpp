@@ -104,6 +104,8 @@ PlaneCurvePtr centre_curve(const Scene& scene) {
       return cycloid_curve(arc->start, arc->at(arc->psi_end));
     }
     default:
+      // Slopes do not move the contacts of a bead.
+      if (!scene.body.rolls()) return curve_between(path, a, b);
       return curve_with_contacts(
           scene, centre_above(a, r, path.start_angle_or_vertical()));
   }

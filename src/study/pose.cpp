@@ -215,7 +215,13 @@ MeshOptions PosedProblem::mesh_options_after(const Work& done) const {
 /// What the solve starts from, of a scene in natural units.
 static void prepare(PosedProblem& posed) {
   posed.limited.reset();
-  if (is_limited(posed.asked)) posed.limited = posed.natural;
+  if (is_limited(posed.asked)) {
+    posed.limited = posed.natural;
+    // A bead's slopes at A and B cost nothing: sought, they would be anything.
+    if (!posed.asked.body.rolls() && posed.asked.contact == Contact::Optimal) {
+      posed.limited->contact = Contact::Smooth;
+    }
+  }
   posed.natural = without_limits(posed.natural);
   posed.cycloid.reset();
   if (!posed.asked.path) posed.cycloid = axisymmetric_optimum(posed.natural);

@@ -71,11 +71,13 @@ PrescribedMotion::PrescribedMotion(const Scene& scene, PlaneCurvePtr centre)
       scene_.world.start_speed;
   start_kinetic_ = 0.5 * pushed * pushed;
   // s = ½ s'' q² and ½ w² = w' s at the start: from rest w = q √(w' s'').
+  // Of forces that balance rounding leaves something.
+  constexpr double kBalance = 1e-13;
   const double gain = gain_at_rest(start_, 0.0);
   const double s_bend = curve_->pace(kNextToStart).speed / kNextToStart;
   if (!(s_bend > 0.0)) {
     stall_ = Stall{Stall::Reason::DoesNotFit, 0.0, curve_->start()};
-  } else if (!(gain > 0.0 || w > 0.0)) {
+  } else if (!(gain > kBalance * scene_.gravity || w > 0.0)) {
     stall_ = Stall{Stall::Reason::DoesNotStart, 0.0, curve_->start()};
   }
   if (stall_) return;

@@ -97,6 +97,12 @@ TrajectoryPoint PrescribedMotion::point_at(const Sums& sums) const {
     state.beta_rate = start_slope_rate();
   }
   out.motion = kinematics(scene_, state);
+  if (state.w == 0.0) {
+    // There κ_c = β_u/w is a limit.
+    const StartLimits start = at_start();
+    out.motion.kappa_b = start.curvature;
+    out.motion.fold_margin = start.fold_margin;
+  }
   return out;
 }
 

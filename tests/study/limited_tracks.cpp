@@ -204,6 +204,18 @@ TEST(ClosedForms, OfAFloorAreACycloidALineAndTheSameCycloid) {
   }
 }
 
+/// Its slopes at A and B cost it nothing.
+TEST(LimitedTracks, OfABeadWithOptimalContactsIsThatWithSmoothOnes) {
+  for (const double D : {1.0, 5.0}) {
+    Scene scene = under(bead_scene(), floor_at(D));
+    const Solution smooth = solve(scene);
+    scene.contact = Contact::Optimal;
+    const Solution optimal = solve(scene);
+    ASSERT_TRUE(smooth.verified() && optimal.verified()) << optimal.message;
+    EXPECT_EQ(smooth.motion()->tau(), optimal.motion()->tau());
+  }
+}
+
 /// From what an incline to B needs, 1/9, on.
 TEST(ClosedForms, OfFrictionAreTheSteepestInclineThatGripsAndACycloid) {
   for (const double mu : {0.1115, 0.112, 0.2, 0.3, 0.5, 1.0, 2.0}) {

@@ -19,6 +19,7 @@
 
 #include "brachisto/math/clock.hpp"
 #include "math/cpu_clock.hpp"
+#include "model/centre_curve.hpp"
 #include "model/cycloid.hpp"
 #include "support/scenes.hpp"
 #include "trajectory/certify.hpp"
@@ -208,6 +209,47 @@ TEST(PrescribedMotion, DoesNotStartUphill) {
                                 straight_line({0.0, 0.0}, {3.0, 1.0}));
   ASSERT_TRUE(motion.stall());
   EXPECT_EQ(motion.stall()->reason, Stall::Reason::DoesNotStart);
+}
+
+TEST(PrescribedMotion, DoesNotStartWhereForcesBalance) {
+  // sin β = μ cos β, but for rounding.
+  Scene scene = scene_of(Body::bead());
+  scene.world.losses.sliding = 1.0 / 3.0;
+  const PrescribedMotion motion(scene, straight_line({0.0, 0.0}, {3.0, 1.0}));
+  ASSERT_TRUE(motion.stall());
+  EXPECT_EQ(motion.stall()->reason, Stall::Reason::DoesNotStart);
+}
+
+TEST(PrescribedMotion, BeginsWithTheCurvatureOfItsCurve) {
+  const Body body = Body::cylinder(0.02, 0.0, 0.0, 0.4);
+  // From 60° down to where it ends: over its chord c, at angle α to +x, it
+  // turns by 2 (60° − α), so that |κ| = 2 sin(60° − α)/c.
+  const double alpha = std::atan2(1.0, 3.0), c = std::hypot(3.0, 1.0);
+  const double kappa = -2.0 * std::sin(std::numbers::pi / 3.0 - alpha) / c;
+  const PrescribedMotion motion(
+      scene_of(body),
+      circular_arc({0.0, 0.0}, {3.0, 1.0}, std::numbers::pi / 3.0));
+  const TrajectoryPoint first = motion.at_nodes().front();
+  const double r = body.radius;
+  EXPECT_NEAR(first.motion.kappa_b, kappa / (1.0 - r * kappa), 1e-6);
+  EXPECT_NEAR(first.motion.fold_margin, 1.0 - r * kappa, 1e-6);
+}
+
+TEST(PrescribedMotion, ABeadTouchesTheEndsOfItsCurveAtAnySlope) {
+  // From 150° over the left of A, the chord at α: an arc that turns by
+  // 2 (α − 150°) has the length c (150° − α)/sin(150° − α).
+  const double angle = 5.0 * std::numbers::pi / 6.0;
+  Scene scene = scene_of(Body::bead());
+  scene.world.start_speed = 8.0;
+  GivenPath path;
+  path.shape = GivenPath::Shape::CircularArc;
+  path.start_angle = angle;
+  scene.path = std::make_shared<const GivenPath>(path);
+  const double half = angle - std::atan2(1.0, 3.0);
+  const PrescribedMotion motion(scene, centre_curve(scene));
+  ASSERT_FALSE(motion.stall());
+  EXPECT_NEAR(motion.at_nodes().back().s,
+              std::hypot(3.0, 1.0) * half / std::sin(half), 1e-9);
 }
 
 TEST(PrescribedMotion, DoesNotFitIntoANarrowValley) {

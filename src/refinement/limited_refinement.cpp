@@ -272,11 +272,8 @@ class LimitedSolve {
     double asked_below = kNear;  // the limits asked for are tried, twice
     for (double leap = kLongest; leap > kShortest;) {
       const LoosenedPath reached = loosened_.back();
-      if (reached.by == 0.0) {
-        take(reached);
-        break;
-      }
-      const bool there = reached.by < kNothing && asked_below == 0.0;
+      const bool there =
+          reached.by == 0.0 || (reached.by < kNothing && asked_below == 0.0);
       if (there || stopped() || status == Status::NoSmoothContact) break;
       double next = reached.by * (1.0 - leap);
       if (next < asked_below) {
@@ -299,18 +296,20 @@ class LimitedSolve {
         leap *= 0.5;
       }
     }
-    const bool proven =
-        status == Status::NoSmoothContact || status == Status::NoAdmissiblePath;
-    if (!answer_ && !proven) come_nearer();
+    if (status != Status::NoSmoothContact &&
+        status != Status::NoAdmissiblePath) {
+      come_nearer();
+    }
+    if (loosened_.back().by == 0.0) take(loosened_.back());
     if (answer_) return loosened_.clear();
     protocol_.fail(status, message);
   }
   /// Where nothing that begins with the free path leads on, a path that owes it
-  /// nothing may: with work of its own, for the answer is not to be beaten by
-  /// the first cold start that someone tries under limits a little nearer.
+  /// nothing may: with work of its own.
   void come_nearer() {
     constexpr double kLeaps[] = {0.3, 0.1};
     constexpr double kNothing = 1e-3, kOfEach = 0.2;
+    if (loosened_.back().by < kNothing) return;
     protocol_.tries("from random paths under looser limits");
     protocol_.most_work = protocol_.work + kSearchNearer * most_work_;
     for (const double leap : kLeaps) {

@@ -20,6 +20,7 @@ namespace brachisto::report {
 [[nodiscard]] std::string csv_field(std::string_view text);
 
 /// A row with its end: a field of each item.
+/// \pre  there are items
 [[nodiscard]] std::string csv_row(const auto& items, const auto& field_of) {
   std::string out;
   for (const auto& item : items) {

@@ -28,9 +28,10 @@ struct PosedProblem : PosedScene {
   /// poses no program the defaults at its tolerance.
   Collocation program;
   MeshOptions mesh_options;  ///< as if nothing had been done
-  /// What is asked for, in natural units, if it is_limited(). Then `natural`,
-  /// where it starts from, is without limits and its contact smooth or the
-  /// centre's.
+  /// What is asked for, in natural units, if it is_limited(); contacts of a
+  /// bead that are to be optimal are smooth, its slopes being free. Then
+  /// `natural`, where it starts from, is without limits and its contact smooth
+  /// or the centre's.
   std::optional<Scene> limited;
   /// Of the uniform cylinder, in natural units; nothing if there is none.
   std::optional<CycloidArc> cycloid;

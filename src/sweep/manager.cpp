@@ -239,13 +239,9 @@ class Manager {
     if (++losses_in_a_row_ >= 4 + 2 * options_.jobs) {
       store_.record(answers, plan_);
       throw WorkersFail(fmt::format(
-          "{} workers failed in a row, the last one at scene {}: {}{}. What "
-          "was "
-          "recorded before is kept; --resume goes on",
-          losses_in_a_row_, slot.next, message,
-          options_.memory == 0
-              ? ""
-              : fmt::format(" (with --memory {})", options_.memory >> 20)));
+          "{} workers failed in a row, the last one at scene {}: {}{}. What was"
+          " recorded before is kept; --resume goes on",
+          losses_in_a_row_, slot.next, message, bound_in_words()));
     }
     if (slot.retrying) {
       // Held back until some worker answers: it may not be the scene's fault.
@@ -258,6 +254,13 @@ class Manager {
       slot.retrying = true;
     }
     if (slot.busy) send_request(slot);
+  }
+
+  /// On the address space of a worker, which may be why it ends.
+  [[nodiscard]] std::string bound_in_words() const {
+    return options_.memory == 0
+               ? ""
+               : fmt::format(" (with --memory {})", options_.memory >> 20);
   }
 
   ChainPlan plan_;

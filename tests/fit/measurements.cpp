@@ -64,9 +64,11 @@ TEST(Measurements, AreRefusedWithFileAndLine) {
     EXPECT_EQ(told.substr(0, 12), "m.csv:3:3: t") << told;
     EXPECT_NE(told.find("is not a number"), std::string::npos) << told;
   }
-  EXPECT_EQ(refusal("s,t,sigma\n1,0.5,0\n"),
-            "m.csv:2:7: sigma: 0 was read; expected a number in s from 1e-12 "
-            "to 1e+12");
+  for (const char* sigma : {"0", "1e-300", "1e+300"}) {
+    EXPECT_EQ(refusal(std::string("s,t,sigma\n1,0.5,") + sigma + "\n"),
+              std::string("m.csv:2:7: sigma: ") + sigma +
+                  " was read; expected a number in s from 1e-12 to 1e+12");
+  }
 }
 
 TEST(Measurements, GoAlongThePath) {

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 
 // Do limits that were given up as too tight keep a path after all? The program
-// on one mesh, its limits giving way at a price, from random paths that owe
-// nothing to the search, with the contact closed: under the limits of a problem
-// file, or under those of its `relaxed` answer, brought nearer to what is asked
-// for.
+// on one mesh, or some twice as fine each, its limits giving way at a price,
+// from random paths that owe nothing to the search, with the contact closed:
+// under the limits of a problem file, or under those of its `relaxed` answer,
+// brought nearer to what is asked for.
 
 #include <fmt/format.h>
 
@@ -37,7 +37,7 @@ struct Study {
   Scene asked;
   double by = 0.0;  ///< of loosened_limits()
   bool free_slopes = false;
-  int elements = 30, degree = 3, iterations = 300;
+  int elements = 30, degree = 3, halvings = 0, iterations = 300;
   double waviness = 0.5;  ///< of the starts, in L or H
 };
 
@@ -61,39 +61,20 @@ class Attempt {
         limits_(inequalities(posed_.limited->body, posed_.limited->limits)),
         random_(SplitMix64::scrambled(seed)) {}
 
+  /// On meshes twice as fine each, for as long as limits are kept.
   Record run() {
-    constexpr double kNone = 1e-6, kClosed = 1e-5;
-    constexpr int kMostPasses = 30;
     const RandomPath path =
         some_random_path(scene(), study_.waviness, random_, record_.attempts);
-    LimitedEnds ends;
-    ends.free_contacts =
+    ends_.free_contacts =
         study_.free_slopes || scene().contact == Contact::Optimal;
-    ends.phi = scene().end_slope.value_or(path.at.back().beta);
-    ends.start = path.at.front().beta;
-    for (int pass = 0; pass < kMostPasses; ++pass) {
-      if (!ends.free_contacts) {
-        const auto there = with_start(ends, scene(), limits_,
-                                      curve_ && curve_->holds_control(0));
-        if (!there) return end(Record::Fate::Unsolved, "no start at rest");
-        ends = *there;
-      }
-      if (!solve(ends, path)) return record_;
-      const bool sought = !ends.free_contacts && end_is_sought(scene());
-      const double slope = sought ? end_slope(*curve_) : ends.phi;
-      record_.open = slope - ends.phi;
-      record_.phi = curve_->at(1.0).state.beta;
-      record_.start = curve_->at(0.0).state.beta;
-      record_.tau = curve_->transit_time() / std::sqrt(scene().H);
-      if (std::abs(record_.open) <= kClosed) {
-        return end(record_.give <= kNone ? Record::Fate::Keeps
-                                         : Record::Fate::GivesWay);
-      }
-      ends.phi += std::clamp(record_.open, -0.3, 0.3);
-      ends.start = curve_->start_slope();
+    ends_.phi = scene().end_slope.value_or(path.at.back().beta);
+    ends_.start = path.at.front().beta;
+    for (int halvings = 0; halvings <= study_.halvings; ++halvings) {
+      const Mesh mesh =
+          uniform_mesh(study_.degree, study_.elements << halvings);
+      if (close(mesh, path).fate != Record::Fate::Keeps) break;
     }
-    return end(record_.give <= kNone ? Record::Fate::Open
-                                     : Record::Fate::GivesWay);
+    return record_;
   }
 
  private:
@@ -104,11 +85,39 @@ class Attempt {
     return record_;
   }
 
+  /// The contact.
+  Record close(const Mesh& mesh, const RandomPath& path) {
+    constexpr double kNone = 1e-6, kClosed = 1e-5;
+    constexpr int kMostPasses = 30;
+    for (int pass = 0; pass < kMostPasses; ++pass) {
+      if (!ends_.free_contacts) {
+        const auto there = with_start(ends_, scene(), limits_,
+                                      curve_ && curve_->holds_control(0));
+        if (!there) return end(Record::Fate::Unsolved, "no start at rest");
+        ends_ = *there;
+      }
+      if (!solve(mesh, path)) return record_;
+      const bool sought = !ends_.free_contacts && end_is_sought(scene());
+      const double slope = sought ? end_slope(*curve_) : ends_.phi;
+      record_.open = slope - ends_.phi;
+      record_.phi = curve_->at(1.0).state.beta;
+      record_.start = curve_->at(0.0).state.beta;
+      record_.tau = curve_->transit_time() / std::sqrt(scene().H);
+      if (std::abs(record_.open) <= kClosed) {
+        return end(record_.give <= kNone ? Record::Fate::Keeps
+                                         : Record::Fate::GivesWay);
+      }
+      ends_.phi += std::clamp(record_.open, -0.3, 0.3);
+      ends_.start = curve_->start_slope();
+    }
+    return end(record_.give <= kNone ? Record::Fate::Open
+                                     : Record::Fate::GivesWay);
+  }
+
   /// From the path before, else the random one.
-  bool solve(const LimitedEnds& ends, const RandomPath& path) {
+  bool solve(const Mesh& mesh, const RandomPath& path) {
     constexpr double kGive = 1.0, kPrice = 1e3;
-    LimitedTime problem(scene(), limits_,
-                        uniform_mesh(study_.degree, study_.elements), ends);
+    LimitedTime problem(scene(), limits_, mesh, ends_);
     problem.bound_slopes(std::numbers::pi);
     const VariableLayout& layout = problem.layout();
     std::vector<double> give(at(problem.num_constraints()), 0.0);
@@ -154,6 +163,7 @@ class Attempt {
   PosedProblem posed_;
   std::vector<PathInequality> limits_;
   SplitMix64 random_;
+  LimitedEnds ends_;
   std::optional<LimitedCurve> curve_;
   Record record_;
 };
@@ -207,6 +217,10 @@ int main(int argc, char** argv) {
                  "Of the starts, in L or H, the larger one")
       ->capture_default_str();
   app.add_option("--elements", study.elements, "Of the mesh")
+      ->capture_default_str();
+  app.add_option("--halvings", study.halvings,
+                 "Of its elements, limits being kept on each mesh")
+      ->check(CLI::Range(0, 10))
       ->capture_default_str();
   app.add_option("--degree", study.degree, "Of its elements")
       ->capture_default_str();

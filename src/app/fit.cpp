@@ -201,7 +201,7 @@ Verb fit_verb() {
               .text = "Measured times: CSV with the columns s or x of the "
                       "centre [m], t [s] and, if known, sigma [s]",
               .placeholder = "FILE",
-              .check = existing_file(),
+              .check = not_empty(),
               .required = true});
   return {
       .name = "fit",

@@ -139,7 +139,8 @@ Verb nlp_verb() {
                     "Market files",
             .placeholder = "FORMAT",
             .check = one_of({"nl", "matrices"}),
-            .shows_default = true},
+            .shows_default = true,
+            .needs = {"--out"}},
            {.name = "--out",
             .value = &flags->out,
             .text = "Write there: the .nl file, or a directory for matrices",
@@ -151,7 +152,8 @@ Verb nlp_verb() {
                     "answer with its multipliers",
             .placeholder = "POINT",
             .check = one_of({"guess", "answer"}),
-            .shows_default = true},
+            .shows_default = true,
+            .needs = {"--out"}},
            {.name = "--check",
             .value = &flags->check,
             .text = "Check the answer that a solver wrote of the .nl file: its "
@@ -159,7 +161,10 @@ Verb nlp_verb() {
                     "against that of the program",
             .placeholder = "FILE.sol",
             .check = not_empty()},
-           {"--force", &flags->force, "Replace files that exist"}}),
+           {.name = "--force",
+            .value = &flags->force,
+            .text = "Replace files that exist",
+            .needs = {"--out"}}}),
       .footer =
           R"(The scene is solved first: the mesh is the one it ends on, which
 discretisation.elements fixes, and so are the fixed ends of the path.

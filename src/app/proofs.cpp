@@ -34,8 +34,8 @@ int not_shown(const std::string& status, const std::string& why, bool json) {
 /// What the numbers of a result are worth beside the enclosure; null of a
 /// result without any.
 proof::Json compared(const fs::path& result, const proof::Json& certificate) {
-  const proof::Json said = proof::Json::parse(
-      io::read_file_bytes(result, fs::file_size(result), "a result"));
+  const proof::Json said =
+      proof::Json::parse(io::read_file_bytes(result, "a result"));
   if (!said.at("tau").is_number() || !said.at("estimated_error").is_number()) {
     return {};
   }
@@ -175,8 +175,7 @@ int prove(const ProveFlags& flags) {
 
 int check_proof(const CheckFlags& flags) {
   const proof::Json certificate = proof::Json::parse(
-      io::read_file_bytes(flags.file, fs::file_size(flags.file),
-                          "a file of `brachisto prove --out`"),
+      io::read_file_bytes(flags.file, "a file of `brachisto prove --out`"),
       nullptr, false);
   try {
     // What is no certificate is refused before a scene is compared with it.

@@ -46,14 +46,17 @@ struct RaceFlags {
   bool quiet = false;
 };
 
-void print_arrivals(const std::vector<Racer>& racers) {
+/// On a track that is a spline times are exact to some 1e-6 of them.
+void print_arrivals(const std::vector<Racer>& racers, bool same_track) {
   report::Rows rows{{"", "body", "T [s]", "behind [ms]", ""}};
   for (std::size_t i = 0; i < racers.size(); ++i) {
     const report::Json& result = racers[i].result;
     const double T = result.at("transit_time").get<double>();
-    rows.push_back({fmt::format("{}", i + 1), racers[i].name,
-                    fmt::format("{:.9f}", T), behind(racers[0], racers[i]),
-                    result.at("feasible") == true ? "" : "infeasible"});
+    rows.push_back(
+        {fmt::format("{}", i + 1), racers[i].name,
+         same_track ? fmt::format("{:.7g}", T) : fmt::format("{:.9f}", T),
+         behind(racers[0], racers[i]),
+         result.at("feasible") == true ? "" : "infeasible"});
   }
   print(report::text_table(rows));
 }
@@ -106,7 +109,8 @@ int run(const RaceFlags& flags) {
   }();
   report::write_files(directory, {{page, html}}, flags.force);
   if (!flags.quiet) {
-    print_arrivals(plot::in_order_of_arrival(std::move(racers)));
+    print_arrivals(plot::in_order_of_arrival(std::move(racers)),
+                   flags.same_track);
     print(io::visible(out.string()) + "\n");
   }
   return kSuccess;

@@ -3,11 +3,14 @@
 
 // brachisto show DIR: the page of a result that was written before.
 
-#include <cstdint>
+#include <fmt/format.h>
+
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 
 #include "app/exit_code.hpp"
 #include "app/signals.hpp"
@@ -17,6 +20,7 @@
 #include "app/verbs.hpp"
 #include "brachisto/io/problem_file.hpp"
 #include "io/input_tree.hpp"
+#include "plot/trajectory_table.hpp"
 #include "sweep/store.hpp"
 
 namespace brachisto::app {
@@ -39,10 +43,23 @@ struct ShowFlags {
 std::string whole(const fs::path& file, const std::string& absent) {
   std::error_code error;
   if (!fs::exists(file, error)) refuse(file.parent_path(), absent);
-  // What is no file has no size and is refused below.
-  const std::uintmax_t size = fs::file_size(file, error);
-  return io::read_file_bytes(file, error ? 0 : size,
-                             "a file of `brachisto solve --out`");
+  return io::read_file_bytes(file, "a file of `brachisto solve --out`");
+}
+
+/// Whether a motion ends when the result says. Pieces of arc length say T of
+/// themselves, and the motion is on a smooth curve through them.
+void check_end(const report::Json& result, const io::ProblemFile& problem,
+               std::string_view csv) {
+  const bool of_pieces =
+      problem.options.or_default<Collocation>().discretisation.formulation ==
+      Formulation::ArcLength;
+  const double close = of_pieces ? 0.01 : 1e-6;
+  const double T = result.at("transit_time").get<double>();
+  const double last = plot::TrajectoryTable::read(csv).time().back();
+  if (std::abs(last - T) <= close * T) return;
+  throw plot::NoTrajectory(fmt::format(
+      "it ends at t = {:.6g} s, and the motion of result.json at {:.6g} s",
+      last, T));
 }
 
 report::Json document(const fs::path& directory) {
@@ -77,6 +94,7 @@ int run(const ShowFlags& flags) {
   const io::ProblemFile problem =
       io::read_problem_file(directory / kResultFile);
   try {
+    check_end(result, problem, csv);
     const report::DrawnFiles made =
         page_files(result, problem.scene, csv, flags.gif, signal);
     warn(made.missing);

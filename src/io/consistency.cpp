@@ -325,6 +325,9 @@ void check_scene(const Check& check) {
     if (key == other && check.entry(stated)) key = stated;
   };
   marked.scene.body = as_it_rolls(marked.scene.body);
+  // That of which forces are multiples, where the field is known and pulls.
+  const double gravity = gravity_at_A(marked.scene);
+  if (gravity > 0.0) marked.scene.gravity = gravity;
   for (SceneError& error : validate(marked.scene)) {
     in_place_of(error.key, "scene.path.file", "scene.path.points");
     in_place_of(error.key, "scene.gravity", "scene.field.uniform");

@@ -9,6 +9,7 @@
 #include <array>
 #include <cerrno>
 #include <cstddef>
+#include <cstdint>
 #include <fstream>
 #include <iostream>
 #include <system_error>
@@ -68,6 +69,13 @@ std::string read_file_bytes(const fs::path& path, std::size_t most,
     fail(path, "cannot be opened: " + std::generic_category().message(errno));
   }
   return read_all(file, path, most);
+}
+
+std::string read_file_bytes(const fs::path& path, std::string_view what) {
+  // What is no file has no size and is refused.
+  std::error_code error;
+  const std::uintmax_t size = fs::file_size(path, error);
+  return read_file_bytes(path, error ? 0 : size, what);
 }
 
 namespace {

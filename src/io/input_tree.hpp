@@ -46,5 +46,8 @@ inline constexpr std::string_view kStandardInput = "-";
 [[nodiscard]] std::string read_file_bytes(const std::filesystem::path& path,
                                           std::size_t most,
                                           std::string_view what);
+/// All of them, of files that the program wrote itself.
+[[nodiscard]] std::string read_file_bytes(const std::filesystem::path& path,
+                                          std::string_view what);
 
 }  // namespace brachisto::io

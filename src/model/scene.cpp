@@ -232,8 +232,8 @@ std::vector<SceneError> validate(const Scene& scene) {
   check.positive("scene.gravity", scene.gravity, " m/s²",
                  "for it is what moves the body");
   if (scene.path) check_path(scene, check);
-  check_limits(scene, check);
   check_world(scene, check);
+  check_limits(scene, check);
   return check.take();
 }
 

@@ -5,9 +5,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -86,13 +88,19 @@ Racer racer_of(const std::string& name, const Solution& solution) {
 }
 
 std::shared_ptr<const GivenPath> track_of(const Solution& solution) {
-  constexpr int kPieces = 400;  // fewer show in times, more in curvatures
+  // A turn makes the track go up and down once; a spline through so many points
+  // of it leaves some 1e-6 of T, and more of them nothing but longer pages.
+  constexpr int kFewest = 800, kPerTurn = 50, kMost = 8000;
+  const double turns =
+      solution.motion()->rotation().value_or(0.0) / (2.0 * std::numbers::pi);
+  const int pieces =
+      static_cast<int>(std::clamp<double>(kPerTurn * turns, kFewest, kMost));
   GivenPath path;
   path.curve = GivenPath::Curve::Track;
   path.shape = GivenPath::Shape::Points;
-  for (int i = 0; i <= kPieces; ++i) {
+  for (int i = 0; i <= pieces; ++i) {
     path.points.push_back(
-        solution.motion()->at(1.0 * i / kPieces).motion.contact);
+        solution.motion()->at(1.0 * i / pieces).motion.contact);
   }
   // What rounding leaves of the ends.
   path.points.front() = {0.0, 0.0};

@@ -56,7 +56,8 @@ class UnnamedFile {
     if (descriptor_ < 0 || ::lseek(descriptor_, 0, SEEK_SET) < 0) {
       const int error = errno;
       close();
-      throw std::system_error(error, std::generic_category(), "memfd");
+      throw std::system_error(error, std::generic_category(),
+                              "a file in memory");
     }
   }
   ~UnnamedFile() { close(); }

@@ -19,6 +19,7 @@
 #include "refinement/mesh_solve.hpp"
 #include "refinement/start_closure.hpp"
 #include "refinement/surface_passages.hpp"
+#include "refinement/turn_meshes.hpp"
 #include "transcription/prolongation.hpp"
 
 namespace brachisto {
@@ -146,11 +147,23 @@ std::unique_ptr<FreeRates> FreeRates::make(const ExtremalCurve& curve,
                                            double phi) {
   const Scene& scene = curve.scene();
   const Mesh& own = curve.mesh();
-  Mesh mesh = with_ends_at(own, surface_passages(scene, curve));
-  const bool placed = std::ranges::equal(
-      mesh.boundaries, own.boundaries, [](double one, double other) {
-        return std::abs(one - other) <= kAlmostPlaced;
-      });
+  double longest = 0.0;
+  for (int e = 0; e < own.num_elements(); ++e) {
+    longest = std::max(longest, curve.at_node((e + 1) * own.degree).s -
+                                    curve.at_node(e * own.degree).s);
+  }
+  const auto turns = resolve_turns(scene.body, longest, own.num_elements());
+  if (!turns) return nullptr;
+  Mesh fine = own;
+  for (int i = 0; i < turns->halvings; ++i) fine = halved(fine);
+  fine.degree = std::max(fine.degree, turns->degree);
+  Mesh mesh = with_ends_at(fine, surface_passages(scene, curve));
+  const bool placed =
+      mesh.degree == own.degree &&
+      std::ranges::equal(mesh.boundaries, own.boundaries,
+                         [](double one, double other) {
+                           return std::abs(one - other) <= kAlmostPlaced;
+                         });
   if (placed) mesh = own;
   Elements elements{mesh, sides_of_elements(curve, mesh)};
   if (placed) {

@@ -3,6 +3,7 @@
 
 #include "refinement/lane_rates.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -35,36 +36,50 @@ LaneRates::LaneRates(const Scene& natural,
 }
 
 void LaneRates::expect(std::span<const SceneCoordinate> coordinates) {
+  struct Weighted {
+    SceneCoordinate coordinate;
+    double weight, of_high_orders;
+  };
+  const Rates none{.open = Eigen::VectorXd::Zero(kSize)};
   std::vector<Scene> scenes;
-  std::vector<std::pair<SceneCoordinate, double>> weights;
+  std::vector<Weighted> weights;
   for (const SceneCoordinate coordinate : coordinates) {
-    math::central_difference_by_place(
-        kShareOfStep * difference_step(scene_, coordinate),
-        [&](double place, double weight) {
-          scenes.push_back(moved(scene_, coordinate, place));
-          weights.emplace_back(coordinate, weight);
-        });
-    direct_[static_cast<std::size_t>(coordinate)] =
-        Rates{.open = Eigen::VectorXd::Zero(kSize)};
+    const double step = kShareOfStep * difference_step(scene_, coordinate);
+    math::central_difference_by_place(step, [&](double place, double weight) {
+      scenes.push_back(moved(scene_, coordinate, place));
+      weights.push_back(
+          {coordinate, weight, math::less_order_four(step, place, weight)});
+    });
+    direct_[static_cast<std::size_t>(coordinate)] = Direct{none, none};
   }
   const std::vector<lanes::Landing> landed = lanes::land(scenes, *extremal_);
   for (std::size_t i = 0; i < landed.size(); ++i) {
-    const auto& [coordinate, weight] = weights[i];
-    Rates& by = *direct_[static_cast<std::size_t>(coordinate)];
-    by.time += weight * landed[i].transit_time;
-    by.beta += weight * landed[i].beta;
-    by.start_beta += weight * landed[i].start_beta;
-    for (Eigen::Index j = 0; j < kSize; ++j) {
-      by.open[j] += weight * landed[i].residual[static_cast<std::size_t>(j)];
-    }
+    Direct& by = *direct_[static_cast<std::size_t>(weights[i].coordinate)];
+    const auto add = [&](Rates& to, double weight) {
+      to.time += weight * landed[i].transit_time;
+      to.beta += weight * landed[i].beta;
+      to.start_beta += weight * landed[i].start_beta;
+      for (Eigen::Index j = 0; j < kSize; ++j) {
+        to.open[j] += weight * landed[i].residual[static_cast<std::size_t>(j)];
+      }
+    };
+    add(by.rates, weights[i].weight);
+    add(by.of_high_orders, weights[i].of_high_orders);
   }
 }
 
 TimeRate LaneRates::by(SceneCoordinate coordinate) {
-  const auto& direct = direct_[static_cast<std::size_t>(coordinate)];
-  if (!direct) expect(std::array{coordinate});
+  const auto& known = direct_[static_cast<std::size_t>(coordinate)];
+  if (!known) expect(std::array{coordinate});
+  const Rates& direct = known->rates;
   TimeRate out;
-  out.total = closed_rate(*direct, unknowns_);
+  out.total = closed_rate(direct, unknowns_);
+  // Order six has about the power 3/2 of what orders above four have.
+  constexpr double kOfHighOrders = 1e-7;
+  const double high = std::abs(closed_rate(known->of_high_orders, unknowns_));
+  if (!(high <= kOfHighOrders * std::max(1.0, std::abs(out.total)))) {
+    out.total = std::nan("");
+  }
   // Both contacts turn about their points of the track, and with the slope at A
   // the w that a push stands for changes: ∂T/∂(start) = p, ∂T/∂(end) = −p.
   const double r = contact_radius(scene_), phi = extremal_->phi;
@@ -73,9 +88,9 @@ TimeRate LaneRates::by(SceneCoordinate coordinate) {
   out.at_fixed_contacts =
       out.total +
       r * (to.p_x * std::cos(phi) + to.p_z * std::sin(phi)) *
-          slope_rate(&Rates::beta, *direct) -
+          slope_rate(&Rates::beta, direct) -
       (from.p_x * start.x + from.p_z * start.z + from.p_w * start.w) *
-          slope_rate(&Rates::start_beta, *direct);
+          slope_rate(&Rates::start_beta, direct);
   return out;
 }
 

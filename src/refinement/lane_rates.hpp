@@ -24,7 +24,8 @@ namespace brachisto {
 ///     y_p = −R_y⁻¹ R_p,   dT/dp = T_p + T_y y_p.
 ///
 /// Steps change more of these than of T: of dτ/dp of random scenes, whose T
-/// errs by less than 1e-10, at most 2e-9 (docs/benchmarks.md, Sweeps).
+/// errs by less than 1e-10, at most 2e-9 (docs/benchmarks.md, Sweeps). Where
+/// shots spread so fast that orders above four matter it is not a number.
 class LaneRates final : public TimeRates {
  public:
   /// \param natural   the scene of the extremal, in natural units
@@ -55,8 +56,12 @@ class LaneRates final : public TimeRates {
   Scene scene_;  ///< its start is built from the slope of the extremal
   std::shared_ptr<const lanes::Extremal> extremal_;
   std::vector<Rates> unknowns_;
-  /// By a number of the scene, all unknowns held.
-  std::array<std::optional<Rates>, kSceneCoordinates.size()> direct_;
+  /// By a number of the scene, all unknowns held, and what orders above four
+  /// have in them.
+  struct Direct {
+    Rates rates, of_high_orders;
+  };
+  std::array<std::optional<Direct>, kSceneCoordinates.size()> direct_;
 };
 
 }  // namespace brachisto

@@ -3,12 +3,15 @@
 
 #include "refinement/limited_rates.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
 #include "brachisto/math/index.hpp"
 #include "math/central_difference.hpp"
 #include "model/start_under_limits.hpp"
+#include "refinement/arc_elements.hpp"
+#include "refinement/turn_meshes.hpp"
 
 namespace brachisto {
 
@@ -16,10 +19,14 @@ namespace {
 
 /// The path of a scene next to that of `path`, with the same arcs.
 std::optional<FittedPath> found_again(const FittedPath& path,
-                                      const Scene& scene) {
+                                      const Scene& scene,
+                                      const TurnsResolved& turns = {}) {
   const LimitedTime& old = path.curve.problem();
   PathSetting setting{inequalities(scene.body, scene.limits), path.arcs,
                       path.ends};
+  for (int i = 0; i < turns.halvings; ++i) {
+    setting.arcs = halved(std::move(setting.arcs));
+  }
   const LimitedTime problem(scene, setting.limits, old.mesh(), path.ends,
                             old.held());
   PrimalDual start = prolong(path.curve, problem);
@@ -30,8 +37,23 @@ std::optional<FittedPath> found_again(const FittedPath& path,
     }
   }
   return fit_arcs(LimitedCurve(problem, std::move(start)), std::move(setting),
-                  old.mesh().degree, {})
+                  std::max(old.mesh().degree, turns.degree), {})
       .path;
+}
+
+/// Of the centre's path, along an element.
+double longest_element(const LimitedCurve& curve) {
+  const Mesh& mesh = curve.problem().mesh();
+  const auto& rule = curve.problem().scheme().rule;
+  double longest = 0.0;
+  for (int e = 0; e < mesh.num_elements(); ++e) {
+    double w = 0.0;
+    for (std::size_t i = 0; i < rule.points.size(); ++i) {
+      w += rule.weights[i] * curve.state_at(e, rule.points[i]).w;
+    }
+    longest = std::max(longest, mesh.length(e) * curve.rolling_time() * w);
+  }
+  return longest;
 }
 
 /// Whether a limit in which two settings of a path differ holds somewhere; of a
@@ -53,7 +75,12 @@ bool may_hold_what_differs(const PathSetting& one, const PathSetting& other) {
 std::unique_ptr<TimeRates> LimitedRates::make(FittedPath path) {
   const Scene& scene = path.curve.problem().scene();
   if (scene.body.rolls() && !scene.body.off_centred()) {
-    std::optional<FittedPath> rolling = found_again(path, with_rotation(scene));
+    const auto turns =
+        resolve_turns(scene.body, longest_element(path.curve),
+                      path.curve.problem().mesh().num_elements());
+    if (!turns) return nullptr;
+    std::optional<FittedPath> rolling =
+        found_again(path, with_rotation(scene), *turns);
     if (!rolling) return nullptr;
     path = *std::move(rolling);
   }

@@ -276,9 +276,13 @@ bool Tightening::tighten() {
       return none_found();
     }
   }
-  const auto ends = next_ends(limits_);
-  if (!ends) return none_at_rest();
-  if (!solve_rigid(limits_, mesh_, *ends) && protocol_.stopped()) return false;
+  if (care_ == Care::Full) {
+    const auto ends = next_ends(limits_);
+    if (!ends) return none_at_rest();
+    if (!solve_rigid(limits_, mesh_, *ends) && protocol_.stopped()) {
+      return false;
+    }
+  }
   tight_ = last_;
   // What failed on the way did so for its price alone.
   protocol_.status = Status::NotConverged;

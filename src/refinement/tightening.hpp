@@ -35,8 +35,9 @@ struct BlockingLimit {
 /// if not, the protocol says why. All share one budget of iterations.
 class Tightening {
  public:
-  /// Rough is half of the mesh, wider tolerances and short passes: most scenes
-  /// need no more for their arcs to be read off.
+  /// Rough is half of the mesh, wider tolerances, short passes, and no last one
+  /// with limits that do not give way: most scenes need no more for their arcs
+  /// to be read off.
   enum class Care { Rough, Full };
 
   /// What is given by reference must outlive this.

@@ -7,6 +7,7 @@
 
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "brachisto/ocp/mesh.hpp"
@@ -39,5 +40,19 @@ namespace brachisto {
 /// A mesh of the highest degree on which an extremal of that length is so well
 /// represented that it may be judged there.
 [[nodiscard]] Mesh fine_mesh(const Body& body, double length);
+
+/// How often its elements have to be halved, and of what degree they have to be
+/// at the least, for a mesh to represent turns that do not matter to the path
+/// of a body that is not off-centred, but to how it changes with an offset.
+struct TurnsResolved {
+  int halvings = 0;
+  int degree = 0;
+};
+/// Nothing if no mesh would do that has a reasonable number of elements.
+///
+/// \param longest  path of the centre along one of the mesh's `elements`
+[[nodiscard]] std::optional<TurnsResolved> resolve_turns(const Body& body,
+                                                         double longest,
+                                                         int elements);
 
 }  // namespace brachisto

@@ -276,8 +276,8 @@ Field<Solution> sensitivities_field() {
   const Field<Solution> all = object<Solution>(
       "sensitivities", "",
       "how the time changes with the scene; no key unless it was asked for, "
-      "empty where the conditions of the answer are singular or its arcs are "
-      "not known",
+      "empty where the conditions of the answer are singular, its arcs are not "
+      "known, or turns of a uniform body are too many to resolve",
       &Solution::sensitivities, std::move(fields));
   return {all.text,
           [all](const Solution& s) {

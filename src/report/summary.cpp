@@ -168,9 +168,10 @@ void add_sensitivities(std::string& out, const Solution& solution) {
   const bool asked = solution.options.or_default<Collocation>().sensitivities !=
                      SensitivityOrder::None;
   if (asked && !solution.sensitivities) {
-    add_line(out, "sensitivities",
-             "none: the conditions of the answer are singular, or its arcs are "
-             "not known");
+    add_line(
+        out, "sensitivities",
+        "none: the conditions of the answer are singular, its arcs are not "
+        "known, or turns of a uniform body are too many to resolve");
   }
   if (!solution.sensitivities) return;
   const Scene& scene = solution.scene;

@@ -52,6 +52,23 @@ ColumnMax column_max(Front& front, int column, int from, int skip) {
   return max;
 }
 
+/// Sorts candidates by how many entries they have. Where many limits hold or
+/// might, most have two or a handful, and who goes first keeps the others so.
+void begin_with_the_sparse(Front& front) {
+  const int n = front.size();
+  std::vector<int> count(at(n));
+  for (int j = 0; j < n; ++j) {
+    const double* const a = &front.at(0, j);
+    count[at(j)] = n - static_cast<int>(std::count(a, a + n, 0.0));
+  }
+  for (int k = 0; k < front.candidates; ++k) {
+    const auto from = count.begin() + k;
+    const auto least = std::min_element(from, count.begin() + front.candidates);
+    exchange(front, k, static_cast<int>(least - count.begin()));
+    std::iter_swap(from, least);
+  }
+}
+
 }  // namespace
 
 void FrontStack::clear() {
@@ -143,6 +160,10 @@ bool FrontStack::choose(Front& front, int k, const Rule& rule, int& next,
 /// inverse of the pivot, below it the multipliers.
 void FrontStack::step(Front& front, int k, Width width) {
   const int n = front.size();
+  const auto book = [&](double pivots, int columns) {
+    const int left = n - k - static_cast<int>(pivots);
+    updates_ += pivots * n * n * (left > 0 ? 1.0 * columns / left : 1.0);
+  };
   double* const p = &front.at(0, k);
   if (width == Width::Single) {
     const double d = p[k];
@@ -150,7 +171,8 @@ void FrontStack::step(Front& front, int k, Width width) {
     if (d < 0.0) ++negative_;
     if (d == 0.0) ++zero_;
     for (int i = k + 1; i < n; ++i) local_l_[at(i)] = p[i] * inverse;
-    subtract_outer(front.values.data(), n, k + 1, local_l_.data(), p);
+    book(1.0,
+         subtract_outer(front.values.data(), n, k + 1, local_l_.data(), p));
     p[k] = inverse;
     std::copy_n(&local_l_[at(k) + 1], n - k - 1, p + k + 1);
     return;
@@ -172,8 +194,8 @@ void FrontStack::step(Front& front, int k, Width width) {
     local_l_[at(i)] = i_pp * p[i] + i_pq * q[i];
     local_m_[at(i)] = i_pq * p[i] + i_qq * q[i];
   }
-  subtract_outer(front.values.data(), n, k + 2, local_l_.data(), p,
-                 local_m_.data(), q);
+  book(2.0, subtract_outer(front.values.data(), n, k + 2, local_l_.data(), p,
+                           local_m_.data(), q));
   p[k] = i_pp;
   p[k + 1] = i_pq;
   q[k + 1] = i_qq;
@@ -182,7 +204,9 @@ void FrontStack::step(Front& front, int k, Width width) {
 }
 
 void FrontStack::eliminate(Front& front, const Rule& rule) {
+  constexpr int kManyCandidates = 64;
   const int n = front.size();
+  if (front.candidates > kManyCandidates) begin_with_the_sparse(front);
   local_l_.resize(std::max(local_l_.size(), at(n) + 1));
   local_m_.resize(local_l_.size());
   Record record;
@@ -197,7 +221,6 @@ void FrontStack::eliminate(Front& front, const Rule& rule) {
     k += width == Width::Pair ? 2 : 1;
   }
   record.eliminated = k;
-  updates_ += static_cast<double>(k) * n * n;
   if (k > 0) {
     // Only now: exchanges move the rows of earlier multipliers too.
     double* value = record.values = values_.top(record.num_values());

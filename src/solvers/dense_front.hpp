@@ -54,7 +54,8 @@ class FrontStack {
 
   [[nodiscard]] int negative() const { return negative_; }
   [[nodiscard]] int zero() const { return zero_; }
-  /// Entries of fronts, each as often as a pivot changed it.
+  /// Entries of fronts, each as often as there was a pivot, times the share of
+  /// the columns that were left that it changed.
   [[nodiscard]] double updates() const { return updates_; }
 
   /// L D y = b, then Lᵀ x = y, in place over all fronts.

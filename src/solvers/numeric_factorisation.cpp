@@ -298,23 +298,31 @@ double largest_of(const double* values, int count) {
 }
 
 BRACHISTO_CLONES
-void subtract_outer(double* matrix, int size, int from, const double* l,
-                    const double* p) {
+int subtract_outer(double* matrix, int size, int from, const double* l,
+                   const double* p) {
+  int columns = 0;
   for (int j = from; j < size; ++j) {
     const double p_j = p[j];
+    if (p_j == 0.0) continue;
+    ++columns;
     double* __restrict column = matrix + static_cast<long>(size) * j;
     for (int i = from; i < size; ++i) column[i] -= l[i] * p_j;
   }
+  return columns;
 }
 
 BRACHISTO_CLONES
-void subtract_outer(double* matrix, int size, int from, const double* l,
-                    const double* p, const double* m, const double* q) {
+int subtract_outer(double* matrix, int size, int from, const double* l,
+                   const double* p, const double* m, const double* q) {
+  int columns = 0;
   for (int j = from; j < size; ++j) {
     const double p_j = p[j], q_j = q[j];
+    if (p_j == 0.0 && q_j == 0.0) continue;
+    ++columns;
     double* __restrict column = matrix + static_cast<long>(size) * j;
     for (int i = from; i < size; ++i) column[i] -= l[i] * p_j + m[i] * q_j;
   }
+  return columns;
 }
 
 }  // namespace brachisto

@@ -74,12 +74,13 @@ void backward_substitution(const SymbolicAnalysis& analysis, const Lanes* slots,
 [[nodiscard]] double largest_of(const double* values, int count);
 
 /// Subtracts l pᵀ, or l pᵀ + m qᵀ, from the rows and columns of a square matrix
-/// from `from` on.
+/// from `from` on, but columns with zeros alone in p and q.
 ///
 /// \param matrix  column by column; p and q may be columns of it before `from`
-void subtract_outer(double* matrix, int size, int from, const double* l,
-                    const double* p);
-void subtract_outer(double* matrix, int size, int from, const double* l,
-                    const double* p, const double* m, const double* q);
+/// \return the columns that it changed
+int subtract_outer(double* matrix, int size, int from, const double* l,
+                   const double* p);
+int subtract_outer(double* matrix, int size, int from, const double* l,
+                   const double* p, const double* m, const double* q);
 
 }  // namespace brachisto

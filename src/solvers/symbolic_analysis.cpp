@@ -161,7 +161,10 @@ class Numbering {
     analysis.slot_of.assign(at(pattern.size) * at(pattern.size), 0);
   }
 
-  void columns(const EliminationStep& step) {
+  /// False if there are too many products by now: then a dense front serves the
+  /// link better.
+  [[nodiscard]] bool columns(const EliminationStep& step) {
+    constexpr double kMostProducts = 1 << 22;
     SymbolicAnalysis::Pivot pivot;
     pivot.kind = step.kind;
     pivot.p = step.p;
@@ -189,6 +192,9 @@ class Numbering {
     }
     pivot.rows_end = static_cast<int>(analysis.rows.size());
     analysis.pivots.push_back(pivot);
+    products_ += 1.0 * (pivot.rows_end - pivot.rows_begin) *
+                 (pivot.rows_end - pivot.rows_begin);
+    return products_ <= kMostProducts;
   }
 
   template <class Set>
@@ -230,6 +236,8 @@ class Numbering {
   SymbolicAnalysis analysis;
 
  private:
+  double products_ = 0.0;  ///< at most, of all steps so far
+
   int add(int i, int j) {
     const int slot = analysis.num_slots++;
     analysis.slot_of[at(i) + at(analysis.size) * at(j)] = slot;
@@ -245,8 +253,9 @@ std::optional<SymbolicAnalysis> chosen(const LinkPattern& pattern,
   Numbering numbering(pattern);
   while (!elimination.done()) {
     const std::optional<PivotCandidate> pivot = elimination.best();
-    if (!pivot) return std::nullopt;
-    numbering.columns(elimination.eliminate(*pivot));
+    if (!pivot || !numbering.columns(elimination.eliminate(*pivot))) {
+      return std::nullopt;
+    }
   }
   numbering.schur(elimination.structure.adjacent);
   numbering.targets();
@@ -264,8 +273,9 @@ std::optional<SymbolicAnalysis> moved(
     const int p = pivot.p;
     const int q = pivot.q;
     if (!structure.adjacent[at(p)][q]) return std::nullopt;
-    numbering.columns(structure.eliminate(single ? structure.single(p)
-                                                 : structure.pair(p, q)));
+    const PivotCandidate next =
+        single ? structure.single(p) : structure.pair(p, q);
+    if (!numbering.columns(structure.eliminate(next))) return std::nullopt;
   }
   numbering.schur(structure.adjacent);
   numbering.targets();
@@ -275,10 +285,12 @@ std::optional<SymbolicAnalysis> moved(
 /// Calls work<kWords>() with as many words as a set of `size` unknowns has.
 template <class Work>
 auto with_words(int size, Work&& work) {
-  static_assert(SymbolicAnalysis::kMaxSize == 3 * 64);
+  static_assert(SymbolicAnalysis::kMaxSize == 64 * 64);
   if (size <= 64) return work.template operator()<1>();
   if (size <= 128) return work.template operator()<2>();
-  return work.template operator()<3>();
+  if (size <= 192) return work.template operator()<3>();
+  if (size <= 512) return work.template operator()<8>();
+  return work.template operator()<64>();
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ struct SymbolicAnalysis {
                        static_cast<std::size_t>(j)];
   }
 
-  static constexpr int kMaxSize = 192;
+  static constexpr int kMaxSize = 4096;
 
   /// Chooses pivots on one matrix: among those whose multipliers stay small
   /// the one with the fewest operations (Markowitz), then the next. 2×2 pivots
@@ -68,7 +68,8 @@ struct SymbolicAnalysis {
   /// \param pattern  zeros in it are taken to be zeros of every matrix that is
   ///                 factorised
   /// \param matrix   size × size, symmetric and full
-  /// \return nothing if size > kMaxSize or no stable sequence exists
+  /// \return nothing if size > kMaxSize, no stable sequence exists, or it
+  ///         fills up
   [[nodiscard]] static std::optional<SymbolicAnalysis> make(
       const LinkPattern& pattern, std::span<const double> matrix);
 

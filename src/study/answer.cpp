@@ -8,7 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -111,16 +111,16 @@ std::vector<ActiveArc> active_arcs(const std::vector<Arc>& arcs,
 void add_least_slacks(const std::vector<StatedLimit>& asked,
                       const LimitedMotion& motion,
                       std::vector<LimitOnPath>& limits) {
-  const std::vector<TrajectoryPoint> rows = motion.fine_sample(0);
+  std::vector<std::function<double(const TrajectoryPoint&)>> slacks;
+  std::vector<LimitOnPath*> of;
   for (std::size_t i = 0; i < asked.size(); ++i) {
     if (!limits[i].active.empty()) continue;
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t row = 1; row < rows.size(); ++row) {
-      const double slack = asked[i].slack(rows[row]);
-      if (!(slack >= least)) least = slack;  // a NaN stays
-    }
-    limits[i].least_slack = least;
+    slacks.push_back(asked[i].slack);
+    of.push_back(&limits[i]);
   }
+  if (slacks.empty()) return;
+  const std::vector<double> least = motion.least_of(slacks);
+  for (std::size_t i = 0; i < of.size(); ++i) of[i]->least_slack = least[i];
 }
 
 /// What each limit means for the path: one for each bound of the scene, in the

@@ -266,6 +266,18 @@ double Motion::friction_angle_after(double share) const {
   return friction_angle(*this, sample_path(*this), share);
 }
 
+std::vector<double> Motion::least_of(const std::vector<Figure>& figures) const {
+  const Rows rows = sample_path(*this);
+  std::vector<double> out;
+  for (const Figure& figure : figures) {
+    const double first = figure(rows.front());
+    // What is not defined at rest is there what it tends to.
+    const double at_start = std::isfinite(first) ? first : figure(rows[1]);
+    out.push_back(infimum(*this, rows, at_start, figure).value);
+  }
+  return out;
+}
+
 PathDiagnostics Motion::diagnose() const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const Rows rows = sample_path(*this);

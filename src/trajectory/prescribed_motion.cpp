@@ -27,6 +27,8 @@ namespace {
 constexpr int kFewestCells = 16;
 constexpr double kTolerance = 1e-13;   // of T, relative
 constexpr double kNextToStart = 1e-8;  // q there has the limits of the start
+// Closer to it the height, like q², is rounding.
+constexpr double kForgottenAtOnce = 1e-8;
 
 }  // namespace
 
@@ -82,6 +84,7 @@ PrescribedMotion::PrescribedMotion(const Scene& scene, PlaneCurvePtr centre)
   }
   if (stall_) return;
   start_rate_ = std::sqrt(s_bend / gain);
+  memory_ = w / std::sqrt(s_bend * gain);
   end_pieces();
   if (stall_) return;
 
@@ -99,6 +102,8 @@ PrescribedMotion::PrescribedMotion(const Scene& scene, PlaneCurvePtr centre)
     error_ = change;
     if (rounding_rules) break;
   }
+  // No halving sees what T lacks by a push that no cell resolves.
+  if (memory_ > 0.0 && memory_ <= kForgottenAtOnce) error_ += memory_;
 }
 
 double PrescribedMotion::energy(const CurvePlace& place, double s) const {
@@ -240,6 +245,13 @@ void PrescribedMotion::end_pieces() {
       if (ends.empty() || ends.back() < end) ends.push_back(end);
     }
     ends_ = std::move(ends);
+  }
+  // A push is forgotten where the fall has made as much of w² = w₀² + (w_q q)²:
+  // a place that may be far too close to the start for any step to notice.
+  if (memory_ > kForgottenAtOnce) {
+    const double most = 0.25 * ends_.front();
+    for (double q = memory_; q < most; q *= 2.0) ends_.push_back(q);
+    std::ranges::sort(ends_);
   }
   if (!scene_.world.brakes()) return;
   std::vector<double> divided;

@@ -166,6 +166,7 @@ class PrescribedMotion final : public Motion {
   PlaneCurvePtr curve_;
   CurvePlace start_;
   double start_rate_ = 0.0;     ///< du/dq at the start from rest [s]
+  double memory_ = 0.0;         ///< q where it falls as fast as it was pushed
   double start_energy_ = 0.0;   ///< ½ w² there [m²/s²]
   double start_kinetic_ = 0.0;  ///< the same without losses
   std::vector<double> ends_;    ///< of pieces on which the motion is smooth

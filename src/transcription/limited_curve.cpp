@@ -109,22 +109,21 @@ double LimitedCurve::largest_multiplier(int first, int end) const {
 
 std::vector<double> LimitedCurve::places(int element, int count) const {
   std::vector<double> out = problem_->scheme().rule.points;
-  for (int i = 0; i <= count; ++i) {
-    out.push_back(static_cast<double>(i) / count);
-  }
+  const auto place = [&](int i) { return static_cast<double>(i) / count; };
+  for (int i = 0; i <= count; ++i) out.push_back(place(i));
+  std::vector<Point> centres;
   for (const PathInequality& limit : problem_->limits()) {
     if (limit.kind != PathInequality::Kind::Disc) continue;
-    Point before{};
-    for (int i = 0; i <= count; ++i) {
-      const double t = static_cast<double>(i) / count;
-      const TurningPoint<double> here = at(element, t).state;
-      const Point centre{here.x, here.z};
-      if (i > 0) {
-        const double share = next_to(before, centre, limit.place);
-        if (share > 0.0 && share < 1.0)
-          out.push_back(t - (1.0 - share) / count);
+    for (int i = 0; centres.size() <= brachisto::at(count); ++i) {
+      const TurningPoint<double> here = state_at(element, place(i));
+      centres.push_back({here.x, here.z});
+    }
+    for (int i = 1; i <= count; ++i) {
+      const double share = next_to(centres[brachisto::at(i - 1)],
+                                   centres[brachisto::at(i)], limit.place);
+      if (share > 0.0 && share < 1.0) {
+        out.push_back(place(i) - (1.0 - share) / count);
       }
-      before = centre;
     }
   }
   std::sort(out.begin(), out.end());

@@ -180,6 +180,12 @@ TEST(Show, RefusesADirectoryWithoutAResult) {
   EXPECT_TRUE(says(refusal(), "not verified"));
   put("result.json", run({"solve", kWritten, "--json"}).out);
   EXPECT_TRUE(says(refusal(), "has no trajectory.csv"));
+  ASSERT_EQ(run({"solve", kWritten, "--out", out + "/whole"}).code, 0);
+  const std::string whole =
+      content(scratch.path() / "whole" / "trajectory.csv");
+  put("trajectory.csv",
+      whole.substr(0, whole.find('\n', whole.size() / 2) + 1));
+  EXPECT_TRUE(says(refusal(), "and the motion of result.json at"));
   put("trajectory.csv", "x,z\n0,0\n");
   EXPECT_TRUE(says(refusal(), "trajectory.csv: line 1"));
   EXPECT_EQ(run({"show", out + "/nowhere"}).code, 6);

@@ -287,6 +287,28 @@ TEST(Limits, AreRefusedByWhatKnowsTheFreeMotionAlone) {
   }
 }
 
+TEST(Limits, OfForcesAreInUnitsOfTheWeightAtA) {
+  const auto in_field = [](const std::string& field, double least) {
+    return errors(scene_with("").substr(0, scene_with("").find("  gravity")) +
+                  "  field: {" + field + "}\n  limits: {normal_force: {min: " +
+                  std::to_string(least) + "}}\n");
+  };
+  // A sphere so large that its field is uniform to a millionth.
+  const auto sphere = [](const std::string& gravity) {
+    return "sphere: {centre: {x: 0, z: 1.7e6}, radius: 1.7e6, "
+           "surface_gravity: " +
+           gravity + "}";
+  };
+  for (const std::string gravity : {"1.62", "50"}) {
+    EXPECT_EQ(in_field("uniform: " + gravity, 0.3), "");
+    EXPECT_EQ(in_field(sphere(gravity), 0.3), "");
+    EXPECT_THAT(in_field("uniform: " + gravity, 1.5),
+                HasSubstr("scene.limits.normal_force.min: 1.5"));
+    EXPECT_THAT(in_field(sphere(gravity), 1.5),
+                HasSubstr("scene.limits.normal_force.min: 1.5"));
+  }
+}
+
 TEST(Limits, AreNotForGivenPaths) {
   EXPECT_EQ(errors(scene_with("  path: {shape: straight}\n"
                               "  contact: {end_slope: 0}\n"

@@ -207,6 +207,61 @@ TEST(ChainLdlt, TellsWhatDenseLinksTake) {
   EXPECT_GT(two, one + kAtLeast);
 }
 
+/// Four states to a block, coupled with those of blocks next to it, and as many
+/// inequalities as wanted: a slack with its barrier's curvature, from far away
+/// to held, and a multiplier that couples it with the states.
+ChainMatrix with_inequalities(int count) {
+  constexpr int kStates = 4;
+  Random random(5);
+  const int of_block = kStates + 2 * count;
+  ChainMatrix matrix = empty_chain(6, of_block, of_block, 1);
+  for_each_coupled(matrix, [&](int i, int j) {
+    const int a = i % of_block, b = j % of_block, first = i - a;
+    const bool border = i + 1 == matrix.size();
+    const bool slack = a >= kStates && a < kStates + count && !border;
+    const double value = random.uniform(-1.0, 1.0);
+    if ((border || a < kStates) && b < kStates) {
+      matrix.add(i, j, i == j ? 20.0 + value : value);
+    } else if (slack && i == j) {
+      matrix.add(i, j, std::pow(10.0, 4.0 * std::cos(a)));
+    } else if (a >= kStates + count && !border && j >= first) {
+      if (b < kStates) matrix.add(i, j, value);
+      if (b == a - count) matrix.add(i, j, -1.0);
+    }
+  });
+  return matrix;
+}
+
+TEST(ChainLdlt, EliminatesManyInequalitiesAsTheSparseOnesTheyAre) {
+  // Some links are longer than what pivots were once chosen for one by one, and
+  // some separators have more than a hundred unknowns.
+  for (const int count : {20, 60}) {
+    const ChainMatrix matrix = with_inequalities(count);
+    const std::string what = std::to_string(count);
+    const auto ldlt = matrix.analysed();
+    ASSERT_TRUE(matrix.factorise(*ldlt)) << what;
+    EXPECT_EQ(ldlt->num_dense_links(), 0) << what;
+    expect_inertia(matrix, *ldlt, what);
+    expect_solves(matrix, *ldlt, what);
+    // A slack or a multiplier changes no more than the columns of the four
+    // states, its partner and the border in a front of n rows, when it is
+    // eliminated; a dense front of k pivots changes k n² entries, which makes
+    // some sixty times as many as there are unknowns. An unknown is worth 500.
+    const int k = 4 + 2 * count, n = 2 * k + 1;
+    const double dense = 7.0 * k * n * n / 500.0;
+    EXPECT_LT(ldlt->effort(), matrix.size() + 0.2 * dense) << what;
+  }
+}
+
+TEST(ChainLdlt, LeavesFullLinksOfHundredsOfUnknownsToDenseFronts) {
+  const ChainMatrix matrix = random_chain(7, 2, 320, 3, 1);
+  const auto ldlt = matrix.analysed();
+  ASSERT_TRUE(matrix.factorise(*ldlt));
+  EXPECT_EQ(ldlt->num_dense_links(), 2);
+  expect_inertia(matrix, *ldlt, "full");
+  expect_solves(matrix, *ldlt, "full");
+}
+
 TEST(ChainLdlt, CopesWithTinyPivots) {
   // The diagonal carries next to nothing: pivots on it would magnify rounding
   // by up to 1e15.

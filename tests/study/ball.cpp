@@ -156,13 +156,13 @@ TEST_P(SensitivitiesOfABall, AreThoseOfWholeSolves) {
             (at(2.0 * kStep) - at(-2.0 * kStep))) /
            (12.0 * kStep);
   };
-  const auto& by = solution.sensitivities->by;
+  const auto& rates = solution.sensitivities->by;
 
-  EXPECT_NEAR(by[SceneParameter::Radius].tau,
+  EXPECT_NEAR(rates[SceneParameter::Radius].tau,
               slope([](Ball& ball, double by) { ball.radius += by; }), 1e-6);
-  EXPECT_NEAR(by[SceneParameter::K].tau,
+  EXPECT_NEAR(rates[SceneParameter::K].tau,
               slope([](Ball& ball, double by) { ball.k += by; }), 1e-6);
-  EXPECT_NEAR(by[SceneParameter::EtaM].tau,
+  EXPECT_NEAR(rates[SceneParameter::EtaM].tau,
               slope([](Ball& ball, double by) { ball.eta_m += by; }), 1e-6);
 }
 INSTANTIATE_TEST_SUITE_P(OfOffsets, SensitivitiesOfABall,

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "brachisto/io/problem_file.hpp"
 #include "brachisto/study/solve.hpp"
 #include "search/continuation.hpp"
 #include "study/answer_kinds.hpp"
@@ -121,6 +122,31 @@ TEST_P(LimitedTrack, IsPressedAndFollowsNewtonsLaw) {
       EXPECT_LE(std::abs(found.tangential), *mu * found.normal + kForce)
           << sigma;
     }
+  }
+}
+
+/// On both sides of junctions, where forces jump, and at the start. Next to the
+/// place of the least one R_n changes by no more than 20 per unit of σ.
+TEST(LeastSlacks, AreThoseOfAFineGrid) {
+  constexpr int kPlaces = 20000;
+  constexpr double kBetween = 20.0 / kPlaces, kRounding = 1e-9;
+  for (const char* file :
+       {"/limits/coaster_with_a_push.yaml", "/losses/bead_sliding.yaml"}) {
+    const io::ProblemFile problem =
+        io::read_problem_file(std::string(BRACHISTO_PROBLEMS_DIR) + file);
+    const Solution solution = solve(problem.scene, problem.options);
+    ASSERT_TRUE(solution.verified()) << file;
+    const auto limit = std::ranges::find(solution.limits, "normal_force.min",
+                                         &LimitOnPath::name);
+    ASSERT_NE(limit, solution.limits.end()) << file;
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i <= kPlaces; ++i) {
+      const double sigma = static_cast<double>(i) / kPlaces;
+      least = std::min(least, solution.motion()->at(sigma).motion.R_n);
+    }
+
+    EXPECT_LE(limit->least_slack, least - *limit->bound + kRounding) << file;
+    EXPECT_GE(limit->least_slack, least - *limit->bound - kBetween) << file;
   }
 }
 

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -106,6 +107,11 @@ class Motion {
   /// or more no μ would do. Unlike |R_t|/R_n it is regular where R_n = 0.
   /// \param share  in [0, 1); at 0 the start counts with its limit
   [[nodiscard]] double friction_angle_after(double share) const;
+  /// The least of each figure of the path, found between places of the sample
+  /// too; not a number if it is that somewhere behind the start.
+  [[nodiscard]] std::vector<double> least_of(
+      const std::vector<std::function<double(const TrajectoryPoint&)>>& figures)
+      const;
 
  protected:
   Motion() = default;

@@ -132,7 +132,12 @@ Verb nlp_verb() {
           "Write the nonlinear program of one scene for other solvers, or "
           "check their answer",
       .flags = flags->with(
-          {{.name = "--format",
+          {{.name = "--out",
+            .value = &flags->out,
+            .text = "Write there: the .nl file, or a directory for matrices",
+            .placeholder = "PATH",
+            .check = not_empty()},
+           {.name = "--format",
             .value = &flags->format,
             .text = "nl: an .nl file, as AMPL's solvers read it; matrices: "
                     "Jacobian, Hessian and KKT matrix at the answer, as Matrix "
@@ -141,11 +146,6 @@ Verb nlp_verb() {
             .check = one_of({"nl", "matrices"}),
             .shows_default = true,
             .needs = {"--out"}},
-           {.name = "--out",
-            .value = &flags->out,
-            .text = "Write there: the .nl file, or a directory for matrices",
-            .placeholder = "PATH",
-            .check = not_empty()},
            {.name = "--start",
             .value = &flags->start,
             .text = "Where a solver begins: guess (solver.guess), or the "

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "math/machine_speed.hpp"
 #include "model/path_inequality.hpp"
@@ -139,6 +140,17 @@ Cost with_search(Cost cost, double turns) {
   return {1.3 * cost.nodes, cost.bytes + 0.5e6 * turns, cost.seconds};
 }
 
+/// Of the mesh on which sensitivities are found: those by an offset make turns
+/// matter that did not; see resolve_turns().
+double nodes_of_sensitivities(const PosedProblem& posed, double nodes) {
+  constexpr double kPerTurn = 64.0;  // or half as many
+  const Body& body = posed.natural.body;
+  if (!body.rolls() || body.off_centred()) return nodes;
+  const double way = posed.cycloid->arc_length(posed.cycloid->psi_end);
+  return std::max(nodes,
+                  kPerTurn * way / (2.0 * std::numbers::pi * body.radius));
+}
+
 /// What is asked for besides the answer [s].
 double seconds_beside(const PosedProblem& posed, double turns, double nodes) {
   double seconds = 0.0;
@@ -152,10 +164,10 @@ double seconds_beside(const PosedProblem& posed, double turns, double nodes) {
     case SensitivityOrder::None:
       break;
     case SensitivityOrder::First:
-      seconds += 4e-5 * nodes;
+      seconds += 4e-5 * nodes_of_sensitivities(posed, nodes);
       break;
     case SensitivityOrder::Second:
-      seconds += 1.2e-3 * nodes;
+      seconds += 1.2e-3 * nodes_of_sensitivities(posed, nodes);
   }
   return seconds;
 }
@@ -194,6 +206,11 @@ Forecast forecast(const PosedProblem& posed) {
   }
   if (posed.options.searches() && out.adaptive) {
     cost = with_search(cost, out.turns);
+  }
+  if (posed.program.sensitivities != SensitivityOrder::None) {
+    constexpr double kBytesPerNode = 4e3;
+    const double nodes = nodes_of_sensitivities(posed, 0.0);
+    cost.bytes = std::max(cost.bytes, kBytesPerNode * nodes);
   }
   // Every method but the paper's begins with the branch on a coarse mesh.
   out.nodes = std::ceil(cost.nodes);

@@ -80,7 +80,7 @@ double nodes_per_turn(const Scene& limited) {
                                   return limit.bounds_control();
                               }
                             });
-  return 200.0 + 70.0 * static_cast<double>(of_control);
+  return 200.0 + 90.0 * static_cast<double>(of_control);
 }
 
 /// The way of a branch turn by turn, and the mesh that it ends on.

@@ -10,7 +10,6 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <string_view>
 
 #include "app/exit_code.hpp"
 #include "app/signals.hpp"
@@ -49,13 +48,13 @@ std::string whole(const fs::path& file, const std::string& absent) {
 /// Whether a motion ends when the result says. Pieces of arc length say T of
 /// themselves, and the motion is on a smooth curve through them.
 void check_end(const report::Json& result, const io::ProblemFile& problem,
-               std::string_view csv) {
+               const plot::TrajectoryTable& table) {
   const bool of_pieces =
       problem.options.or_default<Collocation>().discretisation.formulation ==
       Formulation::ArcLength;
   const double close = of_pieces ? 0.01 : 1e-6;
   const double T = result.at("transit_time").get<double>();
-  const double last = plot::TrajectoryTable::read(csv).time().back();
+  const double last = table.time().back();
   if (std::abs(last - T) <= close * T) return;
   throw plot::NoTrajectory(fmt::format(
       "it ends at t = {:.6g} s, and the motion of result.json at {:.6g} s",
@@ -94,9 +93,10 @@ int run(const ShowFlags& flags) {
   const io::ProblemFile problem =
       io::read_problem_file(directory / kResultFile);
   try {
-    check_end(result, problem, csv);
+    const auto table = plot::TrajectoryTable::read(csv);
+    check_end(result, problem, table);
     const report::DrawnFiles made =
-        page_files(result, problem.scene, csv, flags.gif, signal);
+        page_files(result, problem.scene, table, flags.gif, signal);
     warn(made.missing);
     report::write_files(directory, made.files, true);
     if (!flags.quiet) print_paths(directory, made.files);

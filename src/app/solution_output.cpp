@@ -56,8 +56,9 @@ void add_page(const Solution& solution, const std::string& json, bool gif,
   if (!solution.verified()) return;
   const auto csv =
       std::ranges::find(files, kTrajectoryFile, &report::OutputFile::name);
-  report::DrawnFiles page = page_files(
-      report::Json::parse(json), solution.scene, csv->content, gif, signal);
+  report::DrawnFiles page =
+      page_files(report::Json::parse(json), solution.scene,
+                 plot::TrajectoryTable::read(csv->content), gif, signal);
   warn(page.missing);
   std::ranges::move(page.files, std::back_inserter(files));
 }
@@ -78,9 +79,8 @@ void write_results(const SolutionOutput& output,
 }  // namespace
 
 report::DrawnFiles page_files(const report::Json& result, const Scene& scene,
-                              std::string_view csv, bool gif,
+                              const plot::TrajectoryTable& table, bool gif,
                               const std::atomic<int>& signal) {
-  const auto table = plot::TrajectoryTable::read(csv);
   report::DrawnFiles out;
   if (gif) {
     out = report::draw(plot::moving_figure(scene, table), report::Format::Gif,

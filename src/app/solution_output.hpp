@@ -7,7 +7,6 @@
 
 #include <atomic>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "brachisto/io/problem_file.hpp"
@@ -34,11 +33,12 @@ struct SolutionOutput {
 
 /// index.html and, if asked for, motion.gif with its table and script.
 /// \param result  the document of a verified result
-/// \param csv     its trajectory.csv
-/// \throws plot::NoTrajectory, Stopped
+/// \param table   of its trajectory.csv
+/// \throws Stopped
 [[nodiscard]] report::DrawnFiles page_files(const report::Json& result,
                                             const Scene& scene,
-                                            std::string_view csv, bool gif,
+                                            const plot::TrajectoryTable& table,
+                                            bool gif,
                                             const std::atomic<int>& signal);
 
 /// All files of a solution in --out.

@@ -29,6 +29,11 @@ constexpr double kEqualElementsPerTurn = 5.0;
 // elements to represent it.
 constexpr double kSampledElementsPerTurn = 12.0;
 constexpr double kFineElementsPerTurn = 16.0;
+// Polynomials of degree 8 miss a sine over a quarter of a turn by 2 J₉(π/4)
+// = 1e-9, and over half of one, which halves of σ leave of some elements that
+// begin slowly, by 6e-7; what follows, superconvergent, by about the square.
+constexpr double kLongestTurn = 0.25;
+constexpr int kResolvingDegree = 8, kMostResolvingElements = 10000;
 
 /// Elements for so many turns, the half turn for the stretch at the start.
 int elements_for(double turns, double per_turn) {
@@ -36,10 +41,19 @@ int elements_for(double turns, double per_turn) {
                   static_cast<int>(std::ceil(per_turn * (turns + 0.5))));
 }
 
+/// Whether they matter or not.
+double all_turns(const Body& body, double s) {
+  return s / (2.0 * std::numbers::pi * body.radius);
+}
+/// Whether turns matter to how a path changes with an offset, and not to it.
+bool turns_are_hidden(const Body& body) {
+  return body.rolls() && !body.off_centred();
+}
+
 }  // namespace
 
 double turns(const Body& body, double s) {
-  return body.off_centred() ? s / (2.0 * std::numbers::pi * body.radius) : 0.0;
+  return body.off_centred() ? all_turns(body, s) : 0.0;
 }
 
 bool are_many(double turns) {
@@ -97,20 +111,22 @@ Mesh fine_mesh(const Body& body, double length) {
 
 std::optional<TurnsResolved> resolve_turns(const Body& body, double longest,
                                            int elements) {
-  // Polynomials of degree 8 miss a sine over a quarter of a turn by 2 J₉(π/4)
-  // = 1e-9, and over half of one, which halves of σ leave of some elements that
-  // begin slowly, by 6e-7; what follows, superconvergent, by about the square.
-  constexpr double kLongestTurn = 0.25;
-  constexpr int kDegree = 8, kMostElements = 10000;
   TurnsResolved out;
-  if (!body.rolls() || body.off_centred()) return out;
-  out.degree = kDegree;
-  double turn = longest / (2.0 * std::numbers::pi * body.radius);
-  for (; turn > kLongestTurn; turn *= 0.5) {
+  if (!turns_are_hidden(body)) return out;
+  out.degree = kResolvingDegree;
+  for (double turn = all_turns(body, longest); turn > kLongestTurn;
+       turn *= 0.5) {
     ++out.halvings;
-    if ((elements *= 2) > kMostElements) return std::nullopt;
+    if ((elements *= 2) > kMostResolvingElements) return std::nullopt;
   }
   return out;
+}
+
+double most_resolving_nodes(const Body& body, double length) {
+  if (!turns_are_hidden(body)) return 0.0;
+  // Halved once too often, at the most.
+  const double elements = all_turns(body, length) / (0.5 * kLongestTurn);
+  return kResolvingDegree * std::min(elements, 1.0 * kMostResolvingElements);
 }
 
 }  // namespace brachisto

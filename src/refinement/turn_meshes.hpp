@@ -55,4 +55,8 @@ struct TurnsResolved {
                                                          double longest,
                                                          int elements);
 
+/// Nodes of such a mesh for a path of the centre of that length, at most; 0 of
+/// a body that needs none.
+[[nodiscard]] double most_resolving_nodes(const Body& body, double length);
+
 }  // namespace brachisto

@@ -161,8 +161,8 @@ class Numbering {
     analysis.slot_of.assign(at(pattern.size) * at(pattern.size), 0);
   }
 
-  /// False if there are too many products by now: then a dense front serves the
-  /// link better.
+  /// False if there are more products by now than a full link of some 230
+  /// unknowns has: a dense front needs no list of their places.
   [[nodiscard]] bool columns(const EliminationStep& step) {
     constexpr double kMostProducts = 1 << 22;
     SymbolicAnalysis::Pivot pivot;
@@ -236,14 +236,14 @@ class Numbering {
   SymbolicAnalysis analysis;
 
  private:
-  double products_ = 0.0;  ///< at most, of all steps so far
-
   int add(int i, int j) {
     const int slot = analysis.num_slots++;
     analysis.slot_of[at(i) + at(analysis.size) * at(j)] = slot;
     analysis.slot_of[at(j) + at(analysis.size) * at(i)] = slot;
     return slot;
   }
+
+  double products_ = 0.0;  ///< at most, of all steps so far
 };
 
 template <int kWords>

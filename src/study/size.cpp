@@ -9,7 +9,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "math/machine_speed.hpp"
 #include "model/path_inequality.hpp"
@@ -143,12 +142,8 @@ Cost with_search(Cost cost, double turns) {
 /// Of the mesh on which sensitivities are found: those by an offset make turns
 /// matter that did not; see resolve_turns().
 double nodes_of_sensitivities(const PosedProblem& posed, double nodes) {
-  constexpr double kPerTurn = 64.0;  // or half as many
-  const Body& body = posed.natural.body;
-  if (!body.rolls() || body.off_centred()) return nodes;
   const double way = posed.cycloid->arc_length(posed.cycloid->psi_end);
-  return std::max(nodes,
-                  kPerTurn * way / (2.0 * std::numbers::pi * body.radius));
+  return std::max(nodes, most_resolving_nodes(posed.natural.body, way));
 }
 
 /// What is asked for besides the answer [s].

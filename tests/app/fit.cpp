@@ -102,6 +102,14 @@ TEST(Fit, RefusesWhatCannotBeFitted) {
   EXPECT_THAT(parts.err, HasSubstr("not allowed beside parts"));
 }
 
+TEST(Fit, OfNoTimesIsAMatterOfFiles) {
+  const Output done =
+      run({"fit", std::string(BRACHISTO_PROBLEMS_DIR) + "/fit/marble.yaml",
+           "nowhere.csv", "--parameter", kRolling});
+  EXPECT_EQ(done.code, 6);
+  EXPECT_THAT(done.err, HasSubstr("nowhere.csv: cannot be opened"));
+}
+
 TEST(Fit, RefusesTimesInOneLine) {
   const std::vector<std::string> words{"--parameter", kRolling};
   const Output unsorted = fit_to("s,t\n0.5,0.5\n0.7,0.4\n", words);

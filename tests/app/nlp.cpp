@@ -135,6 +135,14 @@ TEST(Nlp, WritesNothingWithoutAnAnswer) {
 TEST(Nlp, IsToldWhatToWriteAndWhere) {
   EXPECT_EQ(run({"nlp", kScene}).code, 2);
   EXPECT_EQ(run({"nlp", kScene, "--out", "x", "--format", "mps"}).code, 2);
+  for (const std::vector<std::string>& of_writing :
+       {std::vector<std::string>{"--format", "nl"},
+        {"--start", "guess"},
+        {"--force"}}) {
+    std::vector<std::string> words{"nlp", kScene, "--check", "x.sol"};
+    words.insert(words.end(), of_writing.begin(), of_writing.end());
+    EXPECT_EQ(run(words).code, 2) << of_writing.front();
+  }
 }
 
 TEST(Nlp, ChecksAFileOrSaysWhyNot) {

@@ -50,6 +50,7 @@ TEST(CertifyProof, TellsBoundsAndWritesTheCertificate) {
   const Output again =
       run({"check-proof", out + "/proof.json", "--problem", file});
   EXPECT_EQ(again.code, 0) << again.err;
+  EXPECT_EQ(run({"check-proof", out + "/nowhere.json"}).code, 6);
   // No certificate of an earlier answer stays.
   const Output anew = run(
       {"solve", file, "--certify", "none", "--out", out, "--force", "--json"});

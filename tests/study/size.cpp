@@ -93,6 +93,22 @@ TEST(Forecast, CountsTheNodesOfAFixedMesh) {
   EXPECT_EQ(nodes(), 301.0);
 }
 
+/// A uniform body may turn as often as it likes: its path takes a few elements,
+/// and sensitivities give up where turns are too many.
+TEST(Forecast, OfAUniformBodyDoesNotGrowWithoutBound) {
+  SolveOptions options;
+  options.use<Collocation>().sensitivities = SensitivityOrder::First;
+  Scene scene = off_centred_scene();
+  scene.body.eta_m = 0.0;
+  for (const double radius : {0.3, 1e-3, 1e-6, 1e-9}) {
+    scene.body.radius = radius;
+    EXPECT_LT(forecast(scene, options)->bytes, 5e8) << radius;
+  }
+  const Solution solution = solve(scene, options);
+  EXPECT_TRUE(solution.verified()) << solution.message;
+  EXPECT_FALSE(solution.sensitivities);
+}
+
 TEST(Forecast, OfThePapersSystemIsItsDenseMatrices) {
   SolveOptions options;
   auto& system = options.use<DiscreteSystem>();

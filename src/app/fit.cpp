@@ -24,7 +24,7 @@
 #include "io/input_tree.hpp"
 #include "io/visible_text.hpp"
 #include "io/yaml_writer.hpp"
-#include "model/centre_curve.hpp"
+#include "trajectory/held_path.hpp"
 
 namespace brachisto::app {
 
@@ -140,13 +140,16 @@ int run(const FitFlags& flags) {
   const Solution solution =
       solve_in_time(problem, flags.json, {.interrupt = &signal});
   if (!solution.verified() || solution.motion() == nullptr) {
-    tell_error(fmt::format("brachisto: {}: there is no track to fit on: {}\n",
-                           flags.file, complaint(solution)));
+    tell_error(fmt::format("brachisto: {}: there is no track to fit on: {}{}\n",
+                           flags.file, complaint(solution),
+                           problem.scene.path
+                               ? " (the fit starts from the parameters in the "
+                                 "file)"
+                               : ""));
     return std::max<int>(exit_code(solution, signal.load()), kNotSolved);
   }
   const Scene scene = without_whole_turns(problem.scene);
-  const PlaneCurvePtr centre =
-      scene.path ? centre_curve(scene) : fit::held_path(*solution.motion());
+  const PlaneCurvePtr centre = held_path(*solution.motion());
   const StopScope scope{StopCondition(&signal)};
   const fit::Fit found = fit::fit_times(
       scene, centre, fit::places_of(measured, PrescribedMotion(scene, centre)),

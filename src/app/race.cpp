@@ -46,7 +46,8 @@ struct RaceFlags {
   bool quiet = false;
 };
 
-/// On a track that is a spline times are exact to some 1e-6 of them.
+/// On a track that is a spline times are exact to some 1e-6 of them at the
+/// worst.
 void print_arrivals(const std::vector<Racer>& racers, bool same_track) {
   report::Rows rows{{"", "body", "T [s]", "behind [ms]", ""}};
   for (std::size_t i = 0; i < racers.size(); ++i) {
@@ -80,6 +81,7 @@ int run(const RaceFlags& flags) {
     problems.push_back(io::read_problem_file(file, flags.overrides));
     warn_of(problems.back());
     if (flags.same_track) {
+      if (problems.size() == 1) plot::check_track(file, problems[0].scene);
       plot::check_finish(file, problems.back().scene, racer_names.front(),
                          problems.front().scene);
     }

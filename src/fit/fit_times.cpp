@@ -270,26 +270,6 @@ std::string objection(const Parameter& parameter, const Scene& scene) {
                    parameter.key);
 }
 
-PlaneCurvePtr held_path(const Motion& motion) {
-  constexpr int kPlaces = 1000;
-  const std::vector<TrajectoryPoint> sample = motion.fine_sample(kPlaces);
-  const TrajectoryPoint& first = sample.front();
-  const double S = sample.back().s, slope = first.beta;
-  std::vector<double> q;
-  std::vector<Point> offsets;
-  for (const TrajectoryPoint& at : sample) {
-    if (!(at.s > 0.0)) continue;
-    // From rest the slope is a smooth function of the speed, and so of √s.
-    const double place = &at == &sample.back() ? 1.0 : std::sqrt(at.s / S);
-    if (!q.empty() && !(place > q.back())) continue;
-    q.push_back(place);
-    offsets.push_back(
-        {at.centre.x - first.centre.x, at.centre.z - first.centre.z});
-  }
-  return curve_from_rest(
-      first.centre, {S * std::cos(slope), S * std::sin(slope)}, q, offsets);
-}
-
 std::optional<double> Fit::reduced_chi_squared() const {
   if (!sigma_known || freedom == 0) return std::nullopt;
   return chi_squared / freedom;

@@ -45,11 +45,6 @@ inline constexpr std::array<Parameter, 3> kParameters{{
 [[nodiscard]] std::string objection(const Parameter& parameter,
                                     const Scene& scene);
 
-/// The path of the centre of a motion as a curve of its own, on which other
-/// bodies may be put: through a fine sample of it, to the fourth order where
-/// its curvature is smooth.
-[[nodiscard]] PlaneCurvePtr held_path(const Motion& motion);
-
 /// Times do not tell what is asked of them; what() says why.
 class CannotFit : public std::runtime_error {
  public:

@@ -86,6 +86,13 @@ PlaneCurvePtr centre_curve(const Scene& scene) {
   const GivenPath& path = *scene.path;
   const Point a{0.0, 0.0}, b{scene.L, scene.H};
   const double r = scene.body.radius;
+  if (path.taken) {
+    constexpr double kSame = 1e-11;  // of the radius: rounding at A
+    const double more = r - path.taken->radius;
+    return std::abs(more) <= kSame * r
+               ? path.taken->centre
+               : centre_path_over(path.taken->centre, more);
+  }
   if (scene.contact == Contact::Centre) return curve_between(path, a, b);
   if (path.curve == GivenPath::Curve::Track) {
     return centre_path_over(curve_between(path, a, b), r);

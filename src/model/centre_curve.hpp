@@ -13,7 +13,8 @@ namespace brachisto {
 
 /// The path of the centre that scene.path means.
 ///
-/// A track leads from A to B, and the centre runs beside it at the distance r.
+/// A track leads from A to B, and the centre runs beside it at the distance r,
+/// or beside the path that another centre took at what their radii differ by.
 /// A curve of the centre with Contact::Smooth starts where the body touches the
 /// track at A, and ends where it touches it at B: at C_B(φ), φ being the slope
 /// angle that the curve itself has there, the root nearest to level if there

@@ -27,11 +27,11 @@ double bend_at_end(const double* t, const double* y, std::ptrdiff_t s,
   return 2.0 * (second(0) + third * (2.0 * t[0] - t[s] - t[2 * s]));
 }
 
-/// Second derivatives of the cubic spline through (t_i, y_i), those at the ends
-/// from the points nearby: the tridiagonal system, which is diagonally
-/// dominant, by elimination.
+/// Second derivatives of the cubic spline through (t_i, y_i): the tridiagonal
+/// system, which is diagonally dominant, by elimination.
 std::vector<double> second_derivatives(const std::vector<double>& t,
-                                       const std::vector<double>& y) {
+                                       const std::vector<double>& y,
+                                       std::optional<double> at_end) {
   const std::size_t n = t.size();
   std::vector<double> m(n, 0.0), upper(n, 0.0);
   m.front() = bend_at_end(t.data(), y.data(), 1, n);
@@ -45,14 +45,22 @@ std::vector<double> second_derivatives(const std::vector<double>& t,
         6.0 * ((y[i + 1] - y[i]) / after - (y[i] - y[i - 1]) / before);
     m[i] = (bend - before * m[i - 1]) / pivot;
   }
+  if (at_end) {
+    const double h = t[n - 1] - t[n - 2];
+    const double bend = 6.0 * (*at_end - (y[n - 1] - y[n - 2]) / h);
+    m[n - 1] = (bend / h - m[n - 2]) / (2.0 - upper[n - 2]);
+  }
   for (std::size_t i = n - 1; i-- > 1;) m[i] -= upper[i] * m[i + 1];
   return m;
 }
 
 }  // namespace
 
-CubicSpline::CubicSpline(std::vector<double> t, std::vector<double> y)
-    : t_(std::move(t)), y_(std::move(y)), m_(second_derivatives(t_, y_)) {}
+CubicSpline::CubicSpline(std::vector<double> t, std::vector<double> y,
+                         std::optional<double> at_end)
+    : t_(std::move(t)),
+      y_(std::move(y)),
+      m_(second_derivatives(t_, y_, at_end)) {}
 
 int CubicSpline::piece_of(double t) const {
   const auto next = std::upper_bound(t_.begin() + 1, t_.end() - 1, t);

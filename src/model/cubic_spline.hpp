@@ -5,16 +5,20 @@
 
 #pragma once
 
+#include <optional>
 #include <vector>
 
 namespace brachisto {
 
 /// One coordinate as a function of a parameter. The second derivatives at the
-/// ends are those of the cubics through the four points next to them.
+/// ends are those of the cubics through the four points next to them, or the
+/// last one follows from the derivative there.
 class CubicSpline {
  public:
-  /// \param t  ascending; y of the same length, two or more
-  CubicSpline(std::vector<double> t, std::vector<double> y);
+  /// \param t       ascending; y of the same length, two or more
+  /// \param at_end  dy/dt at the last t, where it is known
+  CubicSpline(std::vector<double> t, std::vector<double> y,
+              std::optional<double> at_end = {});
 
   /// Value and derivatives.
   struct Value {

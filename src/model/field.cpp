@@ -30,13 +30,13 @@ double potential_fall(const Scene& scene, Point from, Point to, Point by) {
 }
 
 double work_of_field(const Scene& scene, Point start, Point offset,
-                     double theta) {
+                     double turned) {
   const Body& body = scene.body;
   // The way of the centre of mass, r η (cos θ − cos θ_m) as a product.
-  const double half = 0.5 * (theta - body.theta_m);
+  const double half = 0.5 * turned;
   const Point by{offset.x - 2.0 * body.radius * body.eta_m * std::sin(half) *
                                 std::sin(half + body.theta_m),
-                 energy_height(body, offset.z, theta)};
+                 energy_height_after(body, offset.z, turned)};
   const Point from = mass_centre(body, start, body.theta_m);
   return potential_fall(scene, from, {from.x + by.x, from.z + by.z}, by);
 }

@@ -136,11 +136,12 @@ template <class Scalar>
 }
 
 /// What the field gives from the start until the centre is off by `offset` and
-/// the body turned to θ, per mass [m²/s²].
+/// the body turned by θ − θ_m, per mass [m²/s²]: as accurate next to the start
+/// as these are.
 ///
 /// \param start  of the centre
 [[nodiscard]] double work_of_field(const Scene& scene, Point start,
-                                   Point offset, double theta);
+                                   Point offset, double turned);
 
 /// The field there.
 template <class Scalar>

@@ -81,8 +81,8 @@ constexpr LimitEntry kFrictionEntry{
           limit.number = std::max(limit.number, kGreatFriction);
           // Where the free extremal lifts off no friction is enough.
           limit.lower =
-              std::min(limit.lower,
-                       limit.number * (std::min(0.0, free.min_normal) * 1.2));
+              std::min(limit.lower, limit.scale() * limit.number *
+                                        (std::min(0.0, free.min_normal) * 1.2));
           return true;
         },
     .looser = "a larger friction"};

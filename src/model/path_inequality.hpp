@@ -167,14 +167,22 @@ template <class Scalar>
   return lossless_contact_force(scene, at);
 }
 
+/// The factor of limits with a μ or K: 1 but for numbers so large that what
+/// they bound would be rounding beside them. It differs between units of
+/// length.
+[[nodiscard]] constexpr double scale_of_ratio(double number) {
+  constexpr double kLargest = 1e4;
+  return number > kLargest ? kLargest / number : 1.0;
+}
+
 /// One inequality lower ≤ value ≤ upper along the path.
 struct PathInequality {
   enum class Kind {
-    FrictionForward,   ///< μ R_n − R_t ≥ 0, of a ball μ R/r_e for μ
-    FrictionBackward,  ///< μ R_n + R_t ≥ 0
+    FrictionForward,   ///< (μ R_n − R_t) scale(); of a ball μ R/r_e
+    FrictionBackward,  ///< (μ R_n + R_t) scale()
     NormalForce,       ///< R_n
-    Hump,              ///< K w − q ≥ 0
-    Valley,            ///< K w + q ≥ 0
+    Hump,              ///< (K w − q) scale()
+    Valley,            ///< (K w + q) scale()
     Floor,             ///< D − R − z ≥ 0
     Disc,              ///< distance from it
     HalfPlane,         ///< distance from it
@@ -192,6 +200,11 @@ struct PathInequality {
   [[nodiscard]] bool bounds_control() const { return kind <= Kind::Valley; }
   /// Whether it is one of forces, which at rest β alone decides.
   [[nodiscard]] bool bounds_force() const { return kind <= Kind::NormalForce; }
+  /// Of the value and its bounds; see scale_of_ratio().
+  [[nodiscard]] double scale() const {
+    const bool of_ratio = bounds_control() && kind != Kind::NormalForce;
+    return of_ratio ? scale_of_ratio(number) : 1.0;
+  }
 };
 
 [[nodiscard]] constexpr const char* name(PathInequality::Kind kind) {
@@ -226,17 +239,21 @@ template <class Scalar>
                               const TurningPoint<Scalar>& at) {
   using std::sqrt;
   using Kind = PathInequality::Kind;
+  const double scale = limit.scale();
+  const auto scaled = [&](const Scalar& value) {
+    return scale == 1.0 ? value : value * scale;
+  };
   switch (limit.kind) {
     case Kind::FrictionForward:
-      return force.normal * limit.number - force.tangential;
+      return scaled(force.normal * limit.number - force.tangential);
     case Kind::FrictionBackward:
-      return force.normal * limit.number + force.tangential;
+      return scaled(force.normal * limit.number + force.tangential);
     case Kind::NormalForce:
       return force.normal;
     case Kind::Hump:
-      return at.w * limit.number - at.q;
+      return scaled(at.w * limit.number - at.q);
     case Kind::Valley:
-      return at.w * limit.number + at.q;
+      return scaled(at.w * limit.number + at.q);
     case Kind::Floor:
       return Scalar(limit.number) - at.z;
     case Kind::Disc: {

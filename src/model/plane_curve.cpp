@@ -3,6 +3,7 @@
 
 #include "model/plane_curve.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -133,6 +134,42 @@ class CentrePath final : public PlaneCurve {
   double radius_, start_beta_;
 };
 
+/// A curve with ds/dq > 0 at its start, as one that starts from rest: at q² of
+/// its own parameter.
+class FromRestAlong final : public PlaneCurve {
+ public:
+  explicit FromRestAlong(PlaneCurvePtr curve) : curve_(std::move(curve)) {}
+
+  [[nodiscard]] Point start() const override { return curve_->start(); }
+  [[nodiscard]] CurvePlace at(double q) const override {
+    CurvePlace place = curve_->at(q * q);
+    place.speed *= 2.0 * q;
+    place.turning *= 2.0 * q;
+    return place;
+  }
+  [[nodiscard]] Pace pace(double q) const override {
+    const Pace pace = curve_->pace(q * q);
+    return {2.0 * q * pace.speed, 2.0 * q * pace.turning};
+  }
+  [[nodiscard]] std::vector<double> joints() const override {
+    std::vector<double> joints = curve_->joints();
+    for (double& q : joints) q = std::sqrt(q);
+    // Beside a path of little other radius ds/dq is 2 q (v + 2 S q²) with a v
+    // that is small: it changes where the second outgrows the first.
+    const double most = 0.25 * (joints.empty() ? 1.0 : joints.front());
+    for (double q =
+             std::sqrt(curve_->pace(0.0).speed / curve_->pace(1.0).speed);
+         q < most; q *= 2.0) {
+      joints.push_back(q);
+    }
+    std::ranges::sort(joints);
+    return joints;
+  }
+
+ private:
+  PlaneCurvePtr curve_;
+};
+
 }  // namespace
 
 Point point_of(const PlaneCurve& curve, const CurvePlace& place) {
@@ -195,7 +232,12 @@ PlaneCurvePtr cycloid_curve(Point start, Point end) {
 }
 
 PlaneCurvePtr centre_path_over(PlaneCurvePtr track, double radius) {
-  return std::make_shared<CentrePath>(std::move(track), radius);
+  auto path = std::make_shared<CentrePath>(std::move(track), radius);
+  // Beside a path whose curvature has no bound at the start there is one.
+  if (path->pace(0.0).speed > 0.0) {
+    return std::make_shared<FromRestAlong>(std::move(path));
+  }
+  return path;
 }
 
 }  // namespace brachisto

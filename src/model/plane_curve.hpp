@@ -7,6 +7,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "brachisto/model/body.hpp"
@@ -74,20 +75,41 @@ using PlaneCurvePtr = std::shared_ptr<const PlaneCurve>;
 ///         neighbours
 [[nodiscard]] PlaneCurvePtr spline_through(const std::vector<Point>& points);
 
+/// Vectors along a curve at its ends: their directions are the slopes there.
+struct CurveEnds {
+  Point at_start;               ///< offset/q² for q → 0
+  std::optional<Point> at_end;  ///< d(offset)/dq at q = 1, if known
+};
+
 /// The curve through points that lie at the places q on a way from rest:
 /// offset/q², which is smooth if the slope is a smooth function of q, and not
 /// zero at the start, by cubic splines.
 ///
-/// \param at_start  offset/q² for q → 0: its direction is the slope there
-/// \param q         ascending from above 0 to 1; one or more
-/// \param offsets   from the start, one for each q
-[[nodiscard]] PlaneCurvePtr curve_from_rest(Point start, Point at_start,
+/// \param q        ascending from above 0 to 1; one or more
+/// \param offsets  from the start, one for each q
+[[nodiscard]] PlaneCurvePtr curve_from_rest(Point start, const CurveEnds& ends,
                                             const std::vector<double>& q,
                                             const std::vector<Point>& offsets);
 
+/// Slopes along a curve.
+struct SlopesAlong {
+  double length;             ///< S [m]
+  std::vector<double> q;     ///< √(s/S), ascending from 0 to 1; two or more
+  std::vector<double> beta;  ///< one for each q [rad]
+  /// β is a smooth function of s, and its curvature at the start finite;
+  /// otherwise one of √s alone.
+  bool smooth_over_length = false;
+};
+
+/// The curve whose slope angle is the cubic spline, over s or √s, through those
+/// given.
+[[nodiscard]] PlaneCurvePtr curve_of_slopes(Point start,
+                                            const SlopesAlong& slopes);
+
 /// The path of the centre of a body of radius r on a track; on a hump it is
 /// longer, in a valley shorter. In a valley that is too narrow for the body
-/// ds/dq < 0.
+/// ds/dq < 0. Of the path of another centre in place of the track, r is what
+/// the body's radius exceeds that of the other by.
 [[nodiscard]] PlaneCurvePtr centre_path_over(PlaneCurvePtr track,
                                              double radius);
 

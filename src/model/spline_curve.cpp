@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// Smooth curves through given points, both coordinates by cubic splines.
+/// Smooth curves by cubic splines: of both coordinates of given points, or of
+/// the slope angle.
 
 #include <fmt/format.h>
 
@@ -10,8 +11,10 @@
 #include <cmath>
 #include <functional>
 #include <stdexcept>
+#include <utility>
 
 #include "brachisto/math/index.hpp"
+#include "brachisto/math/polynomial_basis.hpp"
 #include "math/angle.hpp"
 #include "model/cubic_spline.hpp"
 #include "model/plane_curve.hpp"
@@ -55,8 +58,12 @@ class SplineCurve final : public PlaneCurve {
   /// \param t       ascending from 0
   /// \param origin  from which offsets are measured
   SplineCurve(Point start, Point origin, const std::vector<double>& t,
-              const std::vector<double>& x, const std::vector<double>& z)
-      : start_(start), origin_(origin), t_(t), x_(t, x), z_(t, z) {
+              CubicSpline x, CubicSpline z)
+      : start_(start),
+        origin_(origin),
+        t_(t),
+        x_(std::move(x)),
+        z_(std::move(z)) {
     // Continuous slope: at each point from the one before it.
     slopes_.push_back(slope(0, 0.0));
     for (int i = 0; i + 1 < static_cast<int>(t_.size()); ++i) {
@@ -122,6 +129,70 @@ class SplineCurve final : public PlaneCurve {
   std::vector<double> slopes_;
 };
 
+/// The direction by a spline, and places as its integrals.
+class CurveOfSlopes final : public PlaneCurve {
+ public:
+  CurveOfSlopes(Point start, const SlopesAlong& slopes)
+      : start_(start),
+        length_(slopes.length),
+        over_length_(slopes.smooth_over_length),
+        q_(slopes.q),
+        beta_(parameters(), slopes.beta) {
+    for (int i = 0; i + 1 < static_cast<int>(q_.size()); ++i) {
+      offsets_.push_back(integral(i, q_[brachisto::at(i + 1)]));
+    }
+  }
+
+  [[nodiscard]] Point start() const override { return start_; }
+  [[nodiscard]] CurvePlace at(double q) const override {
+    const int piece = beta_.piece_of(parameter(q));
+    const auto [speed, turning] = pace_on(piece, q);
+    return {integral(piece, q), beta_.at(piece, parameter(q)).f, speed,
+            turning};
+  }
+  [[nodiscard]] Pace pace(double q) const override {
+    return pace_on(beta_.piece_of(parameter(q)), q);
+  }
+  [[nodiscard]] std::vector<double> joints() const override {
+    return {q_.begin() + 1, q_.end() - 1};
+  }
+
+ private:
+  [[nodiscard]] double parameter(double q) const {
+    return over_length_ ? q * q : q;
+  }
+  [[nodiscard]] std::vector<double> parameters() const {
+    std::vector<double> out = q_;
+    for (double& q : out) q = parameter(q);
+    return out;
+  }
+  [[nodiscard]] Pace pace_on(int piece, double q) const {
+    const double rate = over_length_ ? 2.0 * q : 1.0;
+    return {2.0 * length_ * q, rate * beta_.at(piece, parameter(q)).d1};
+  }
+  /// ∫ (cos β, sin β) ds from the start, by a rule of order 8 on each piece.
+  [[nodiscard]] Point integral(int piece, double q) const {
+    static const math::QuadratureRule rule = math::gauss_legendre(4);
+    const double from = q_[brachisto::at(piece)];
+    Point sum = offsets_[brachisto::at(piece)];
+    for (std::size_t i = 0; i < rule.points.size(); ++i) {
+      const double there = from + (q - from) * rule.points[i];
+      const double beta = beta_.at(piece, parameter(there)).f;
+      const double ds = rule.weights[i] * (q - from) * 2.0 * length_ * there;
+      sum.x += std::cos(beta) * ds;
+      sum.z += std::sin(beta) * ds;
+    }
+    return sum;
+  }
+
+  Point start_;
+  double length_;
+  bool over_length_;
+  std::vector<double> q_;
+  CubicSpline beta_;
+  std::vector<Point> offsets_{{}};  ///< at each q
+};
+
 std::vector<double> chord_lengths(const std::vector<Point>& points) {
   std::vector<double> t{0.0};
   for (std::size_t i = 1; i < points.size(); ++i) {
@@ -140,14 +211,16 @@ std::vector<double> coordinate(const std::vector<Point>& points,
   return values;
 }
 
-std::vector<double> over_square(Point at_start, const std::vector<double>& q,
-                                const std::vector<Point>& offsets,
-                                double Point::*which) {
-  std::vector<double> values{at_start.*which};
-  for (std::size_t i = 0; i < q.size(); ++i) {
-    values.push_back(offsets[i].*which / (q[i] * q[i]));
+/// offset/q² of one coordinate over 0 and q.
+CubicSpline over_square(const CurveEnds& ends, const std::vector<double>& knots,
+                        const std::vector<Point>& offsets,
+                        double Point::*which) {
+  std::vector<double> values{ends.at_start.*which};
+  for (std::size_t i = 0; i < offsets.size(); ++i) {
+    values.push_back(offsets[i].*which / (knots[i + 1] * knots[i + 1]));
   }
-  return values;
+  if (!ends.at_end) return {knots, values};
+  return {knots, values, (*ends.at_end).*which - 2.0 * offsets.back().*which};
 }
 
 }  // namespace
@@ -170,18 +243,23 @@ PlaneCurvePtr spline_through(const std::vector<Point>& points) {
         next - t.begin() + 1, next - t.begin() + 2));
   }
   return std::make_shared<SplineCurve<OfSquare>>(
-      points.front(), points.front(), t, coordinate(points, &Point::x),
-      coordinate(points, &Point::z));
+      points.front(), points.front(), t,
+      CubicSpline(t, coordinate(points, &Point::x)),
+      CubicSpline(t, coordinate(points, &Point::z)));
 }
 
-PlaneCurvePtr curve_from_rest(Point start, Point at_start,
+PlaneCurvePtr curve_from_rest(Point start, const CurveEnds& ends,
                               const std::vector<double>& q,
                               const std::vector<Point>& offsets) {
   std::vector<double> knots{0.0};
   knots.insert(knots.end(), q.begin(), q.end());
   return std::make_shared<SplineCurve<FromRest>>(
-      start, Point{}, knots, over_square(at_start, q, offsets, &Point::x),
-      over_square(at_start, q, offsets, &Point::z));
+      start, Point{}, knots, over_square(ends, knots, offsets, &Point::x),
+      over_square(ends, knots, offsets, &Point::z));
+}
+
+PlaneCurvePtr curve_of_slopes(Point start, const SlopesAlong& slopes) {
+  return std::make_shared<CurveOfSlopes>(start, slopes);
 }
 
 }  // namespace brachisto

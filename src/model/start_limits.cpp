@@ -70,10 +70,12 @@ StartLimits start_limits(const Scene& scene, const PathState& start) {
   const double beta = start.beta - tilt;
   const double A = inertia_factor(turned, turned.theta_m, beta);
   const double a = strength * energy_slope(turned, turned.theta_m, beta);
-  out.normal_force_rate = out.normal_force_rate * strength +
-                          body.eta_m * scene.world.air.linear * a *
-                              std::cos(turned.theta_m - beta) /
-                              (A * std::sqrt(A));
+  if (out.normal_force == 0.0) {
+    out.normal_force_rate = out.normal_force_rate * strength +
+                            body.eta_m * scene.world.air.linear * a *
+                                std::cos(turned.theta_m - beta) /
+                                (A * std::sqrt(A));
+  }
   if (scene.world.losses.any()) {
     const double theta = body.theta_m;
     const double root = root_of_inertia(body, theta, start.beta);

@@ -16,6 +16,7 @@
 #include "brachisto/io/problem_file.hpp"
 #include "brachisto/report/result.hpp"
 #include "report/scale.hpp"
+#include "trajectory/held_path.hpp"
 
 namespace brachisto::plot {
 
@@ -53,6 +54,18 @@ std::string ends_in_words(const Racer& racer, double close) {
 
 }  // namespace
 
+void check_track(const std::string& file, const Scene& scene) {
+  if (scene.contact != Contact::Centre || !scene.body.rolls()) return;
+  throw io::InputError(
+      {{.file = file,
+        .line = 0,
+        .column = 0,
+        .key = "scene.contact",
+        .message = "centre was read, which leads the centre from A to B, but "
+                   "others are to take the track; expected smooth, optimal or "
+                   "{end_slope: …}"}});
+}
+
 void check_finish(const std::string& file, const Scene& scene,
                   const std::string& first, const Scene& its_scene) {
   if (std::hypot(scene.L - its_scene.L, scene.H - its_scene.H) <=
@@ -88,23 +101,23 @@ Racer racer_of(const std::string& name, const Solution& solution) {
 }
 
 std::shared_ptr<const GivenPath> track_of(const Solution& solution) {
-  // A turn makes the track go up and down once; a spline through so many points
-  // of it leaves some 1e-6 of T, and more of them nothing but longer pages.
-  constexpr int kFewest = 800, kPerTurn = 50, kMost = 8000;
+  // For files, which show it: a turn makes the track go up and down once.
+  constexpr double kFewest = 800.0, kPerTurn = 50.0, kMost = 8000.0;
+  const Motion& motion = *solution.motion();
   const double turns =
-      solution.motion()->rotation().value_or(0.0) / (2.0 * std::numbers::pi);
+      motion.rotation().value_or(0.0) / (2.0 * std::numbers::pi);
   const int pieces =
-      static_cast<int>(std::clamp<double>(kPerTurn * turns, kFewest, kMost));
+      static_cast<int>(std::clamp(kPerTurn * turns, kFewest, kMost));
   GivenPath path;
   path.curve = GivenPath::Curve::Track;
   path.shape = GivenPath::Shape::Points;
   for (int i = 0; i <= pieces; ++i) {
-    path.points.push_back(
-        solution.motion()->at(1.0 * i / pieces).motion.contact);
+    path.points.push_back(motion.at(1.0 * i / pieces).motion.contact);
   }
   // What rounding leaves of the ends.
   path.points.front() = {0.0, 0.0};
   path.points.back() = {solution.scene.L, solution.scene.H};
+  path.taken = {held_path(motion), motion.scene().body.radius};
   return std::make_shared<const GivenPath>(std::move(path));
 }
 

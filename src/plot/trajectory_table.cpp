@@ -90,13 +90,15 @@ TrajectoryTable TrajectoryTable::read(std::string_view csv) {
   for (std::size_t line = 2; !csv.empty(); ++line) {
     check_stop();
     std::string_view row = taken(csv, '\n');
+    const auto cells = static_cast<std::size_t>(std::ranges::count(row, ','));
+    if (cells + 1 != numeric.size()) {
+      throw NoTrajectory(fmt::format("line {} has {} cell(s), not {}", line,
+                                     cells + 1, numeric.size()));
+    }
     auto column = table.columns_.begin();
     for (const bool is_number : numeric) {
       const std::string_view cell = taken(row, ',');
       if (is_number) (column++)->values.push_back(number(cell, line));
-    }
-    if (!row.empty()) {
-      throw NoTrajectory(fmt::format("line {} has too many cells", line));
     }
   }
   const std::vector<double>& t = table.time();

@@ -240,6 +240,7 @@ PYBIND11_MODULE(_core, module) {
       .def(
           "on_track_of",
           [](io::ProblemFile problem, const Answered& first) {
+            plot::check_track("the first one", first.solution.scene);
             problem.scene = plot::on_track(std::move(problem.scene),
                                            plot::track_of(first.solution));
             return problem;

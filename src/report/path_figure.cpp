@@ -122,8 +122,7 @@ class PathPicture {
         lifts_off_(solution.diagnostics->min_normal_force.value <
                        -solution.diagnostics->normal_force_error &&
                    !forbid_lift_off(scene_.limits)),
-        folds_(solution.diagnostics->min_fold_margin.value <
-               -solution.diagnostics->fold_margin_error),
+        folds_(folds(scene_, *solution.diagnostics)),
         rows_(motion_.fine_sample(600)),
         frame_(content(), std::numeric_limits<double>::infinity()),
         enlarged_(enlarged(motion_, rows_, frame_.scale)) {}

@@ -61,11 +61,14 @@ Distances places_of(const std::vector<int>& nodes, const ArcLength& problem,
 }
 
 PlaneCurvePtr curve_through(const Distances& places, double length,
-                            const Scene& scene) {
-  const double beta = start_angle(scene.body);
-  return curve_from_rest(start_of_centre(scene),
-                         {length * std::cos(beta), length * std::sin(beta)},
-                         places.sigma, places.offsets);
+                            double end_angle, const Scene& scene) {
+  // s = σ² length.
+  const double beta = start_angle(scene.body), twice = 2.0 * length;
+  return curve_from_rest(
+      start_of_centre(scene),
+      {{length * std::cos(beta), length * std::sin(beta)},
+       Point{twice * std::cos(end_angle), twice * std::sin(end_angle)}},
+      places.sigma, places.offsets);
 }
 
 /// The direction of the cubic through (x, z)/σ² of the first four places,
@@ -124,10 +127,11 @@ ArcLengthMotion::ArcLengthMotion(const std::vector<int>& nodes,
                                  std::span<const double> x, double T,
                                  double end_angle, const Scene& scene,
                                  const Units& units)
-    : on_curve_(scene, curve_through(places_of(nodes, problem, x, units),
-                                     x.back() * units.length, scene)),
+    : on_curve_(scene,
+                curve_through(places_of(nodes, problem, x, units),
+                              x.back() * units.length, end_angle, scene)),
       coarser_(curve_through(places_of(thinned(nodes), problem, x, units),
-                             x.back() * units.length, scene)),
+                             x.back() * units.length, end_angle, scene)),
       transit_time_(T * units.time),
       length_(x.back() * units.length),
       end_angle_(end_angle),

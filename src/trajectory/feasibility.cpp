@@ -10,6 +10,7 @@
 #include <string>
 
 #include "model/contact.hpp"
+#include "trajectory/self_crossing.hpp"
 
 namespace brachisto {
 
@@ -31,6 +32,12 @@ std::string place_text(const Extreme& extreme) {
 }
 
 }  // namespace
+
+bool folds(const Scene& scene, const PathDiagnostics& path) {
+  // Written so that a NaN folds.
+  return falls_short(path.min_fold_margin.value, path.fold_margin_error) &&
+         !(path.folds_back <= kShortestFold * std::hypot(scene.L, scene.H));
+}
 
 std::vector<std::string> infeasible_because(const Scene& scene,
                                             const PathDiagnostics& path) {
@@ -61,12 +68,16 @@ std::vector<std::string> infeasible_because(const Scene& scene,
   }
   const Extreme& margin = path.min_fold_margin;
   // Under a limit the certificate says that it is kept.
-  if (!scene.limits.fold_margin &&
-      falls_short(margin.value, path.fold_margin_error)) {
-    reasons.push_back(
-        margin.at_start ? "the track folds at the start, β′ > 0"
-                        : fmt::format("the track folds: 1 − r κ_c = {:.4g} {}",
-                                      margin.value, place_text(margin)));
+  if (!scene.limits.fold_margin && folds(scene, path)) {
+    reasons.push_back(fmt::format(
+        "the track folds{}, and runs back by {:.2g} m{}",
+        margin.at_start ? " at the start: β′ > 0"
+                        : fmt::format(": 1 − r κ_c = {:.4g} {}", margin.value,
+                                      place_text(margin)),
+        path.folds_back,
+        scene.limits.any()
+            ? "; fold_margin: 0 under scene.limits would forbid it"
+            : ""));
   }
   if (path.self_crossing) {
     reasons.push_back(

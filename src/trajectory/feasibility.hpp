@@ -18,12 +18,17 @@ namespace brachisto {
 /// 0 or more. How well they are kept is for the certificate to judge.
 [[nodiscard]] bool forbid_lift_off(const PathLimits& limits);
 
+/// Whether the track folds by more than the error of its mesh, and runs back by
+/// no less than kShortestFold.
+[[nodiscard]] bool folds(const Scene& scene, const PathDiagnostics& path);
+
 /// Why not: B lies inside the body at its start, the body would lift off
 /// (R_n ≤ 0 for a u > 0, unless limits forbid it), the track folds (1 − r κ_c ≤
 /// 0) or crosses itself; each with the place. Empty if none of that happens. A
 /// bead on a wire may do all of it. Next to the start, where R_n is as small as
 /// one likes, the signs of its limits there decide. What is no more than the
-/// error of its mesh is no reason.
+/// error of its mesh is no reason, nor are folds and loops of less than
+/// kShortestFold.
 ///
 /// That the body touches the track at a second place is not looked for.
 [[nodiscard]] std::vector<std::string> infeasible_because(

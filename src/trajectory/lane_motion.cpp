@@ -134,7 +134,8 @@ class Energies {
   }
   [[nodiscard]] double at(Point centre, double theta, double lost) const {
     const Point offset{centre.x - start_.x, centre.z - start_.z};
-    return work_of_field(scene_, start_, offset, theta) + pushed_ - lost;
+    return work_of_field(scene_, start_, offset, theta - scene_.body.theta_m) +
+           pushed_ - lost;
   }
   [[nodiscard]] const Point& start() const { return start_; }
 

@@ -13,6 +13,7 @@
 #include "brachisto/math/clock.hpp"
 #include "math/minima.hpp"
 #include "math/roots.hpp"
+#include "model/path_inequality.hpp"
 #include "trajectory/grip.hpp"
 #include "trajectory/self_crossing.hpp"
 
@@ -20,12 +21,19 @@ namespace brachisto {
 
 namespace {
 
+/// What a limit on friction keeps |R_t| − μ R_n to.
+double friction_kept(double mu, double wall_ratio) {
+  return kForceKept / scale_of_ratio(mu * wall_ratio);
+}
+
 /// Friction needed beyond μ R_n. Where a limit holds it at just that it is not:
 /// |R_t| − μ R_n ≤ ε is to what limits are kept.
 double excess(const Motion& motion, const TrajectoryPoint& at, double mu) {
-  const double beyond = std::abs(at.motion.R_t) -
-                        mu * motion.scene().body.wall_ratio * at.motion.R_n;
-  return motion.scene().limits.friction ? beyond - kForceKept : beyond;
+  const double wall_ratio = motion.scene().body.wall_ratio;
+  const double beyond =
+      std::abs(at.motion.R_t) - mu * wall_ratio * at.motion.R_n;
+  const std::optional<double>& limit = motion.scene().limits.friction;
+  return limit ? beyond - friction_kept(*limit, wall_ratio) : beyond;
 }
 
 /// The places between rows where the excess changes its sign and back, in their
@@ -144,7 +152,8 @@ double less_friction_angle(const TrajectoryPoint& p, double wall_ratio) {
 Figure less_friction_angle_under(double mu, double wall_ratio) {
   return [=](const TrajectoryPoint& p) {
     const double R_t = std::abs(p.motion.R_t);
-    const double there_is = mu * wall_ratio * p.motion.R_n + kForceKept;
+    const double there_is =
+        mu * wall_ratio * p.motion.R_n + friction_kept(mu, wall_ratio);
     // Written so that a NaN stays.
     return R_t <= there_is ? -std::atan2(mu * R_t, there_is)
                            : less_friction_angle(p, wall_ratio);
@@ -214,6 +223,49 @@ Extreme supremum(const Motion& motion, const Rows& rows, double at_start,
   Extreme extreme = infimum(motion, rows, -at_start, negative);
   extreme.value = -extreme.value;
   return extreme;
+}
+
+/// How far the track runs back at most between two places where 1 − r κ_c
+/// changes its sign, by ds_b = (1 − r κ_c) ds = ds − r dβ. NaN if that margin
+/// is no number somewhere.
+double folds_back(const Motion& motion, const Rows& rows, double at_start) {
+  const auto margin = [&](double sigma) {
+    return fold_margin(motion.at(sigma));
+  };
+  const double r = motion.scene().body.folding_distance();
+  const auto length = [&](double sigma) {
+    const TrajectoryPoint at = motion.at(sigma);
+    return at.s - r * at.beta;
+  };
+  std::vector<math::Sample> margins = samples_of(rows, at_start, fold_margin);
+  if (!(at_start > 0.0)) {
+    // It has no bound there; a fold at A that ends closer to it is none.
+    constexpr double kClosest = 1e-4;
+    const double next = kClosest * rows[1].sigma;
+    margins.front() = {next, margin(next)};
+  }
+  const std::vector<math::Sample> hidden =
+      math::hidden_minima_below(0.0, margins, margin);
+  margins.insert(margins.end(), hidden.begin(), hidden.end());
+  std::ranges::sort(margins, {}, &math::Sample::at);
+  double back = 0.0, from = length(0.0);
+  for (std::size_t i = 0; i < margins.size(); ++i) {
+    const math::Sample& here = margins[i];
+    if (std::isnan(here.value)) return here.value;
+    const bool folds = here.value < 0.0;
+    const bool last = i + 1 == margins.size();
+    if (last && folds) back = std::max(back, from - length(here.at));
+    if (last || folds == (margins[i + 1].value < 0.0)) continue;
+    const math::Sample& next = margins[i + 1];
+    const double there = length(
+        math::find_root(margin, here.at, next.at, here.value, next.value));
+    if (folds) {
+      back = std::max(back, from - there);
+    } else {
+      from = there;
+    }
+  }
+  return back;
 }
 
 /// The smallest value after the stretch from the start on which f only rises.
@@ -299,6 +351,9 @@ PathDiagnostics Motion::diagnose() const {
   out.normal_force_after_rise = after_rise(*this, rows, force, normal_force);
   out.min_fold_margin =
       infimum(*this, rows, out.at_start.fold_margin, fold_margin);
+  if (scene().body.rolls()) {
+    out.folds_back = folds_back(*this, rows, out.at_start.fold_margin);
+  }
   const double kappa = out.at_start.curvature;
   out.min_curvature = infimum(*this, rows, kappa, curvature);
   out.max_curvature = supremum(*this, rows, kappa, less_curvature);

@@ -49,9 +49,8 @@ std::string Stall::message() const {
   return {};
 }
 
-double PrescribedMotion::theta_after(double s) const {
-  const Body& body = scene_.body;
-  return body.rolls() ? body.theta_m + s / body.radius : body.theta_m;
+double PrescribedMotion::turned_after(double s) const {
+  return scene_.body.rolls() ? s / scene_.body.radius : 0.0;
 }
 
 double PrescribedMotion::length_between(double from, double to) const {
@@ -108,7 +107,7 @@ PrescribedMotion::PrescribedMotion(const Scene& scene, PlaneCurvePtr centre)
 
 double PrescribedMotion::energy(const CurvePlace& place, double s) const {
   return start_kinetic_ +
-         work_of_field(scene_, curve_->start(), place.offset, theta_after(s));
+         work_of_field(scene_, curve_->start(), place.offset, turned_after(s));
 }
 
 double PrescribedMotion::gain_at_rest(const CurvePlace& place, double s) const {

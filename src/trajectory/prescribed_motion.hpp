@@ -147,8 +147,11 @@ class PrescribedMotion final : public Motion {
                                                   double q) const;
   [[nodiscard]] double brake(const Sums& from, double width,
                              Points& points) const;
-  /// θ once the centre has come the length s.
-  [[nodiscard]] double theta_after(double s) const;
+  /// θ − θ_m once the centre has come the length s, and θ.
+  [[nodiscard]] double turned_after(double s) const;
+  [[nodiscard]] double theta_after(double s) const {
+    return scene_.body.theta_m + turned_after(s);
+  }
   /// Of the curve between two places [m].
   [[nodiscard]] double length_between(double from, double to) const;
   void end_pieces();

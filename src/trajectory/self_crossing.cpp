@@ -28,10 +28,9 @@ std::optional<Point> crossing(Point a, Point b, Point c, Point d) {
   return Point{c.x + t * (d.x - c.x), c.z + t * (d.z - c.z)};
 }
 
-/// Where a track stands still, as with 1 − r κ_c = 0, its points differ by
-/// rounding: they are one.
+/// Where a track stands still, as with 1 − r κ_c = 0, its points differ by less
+/// than they are worth: they are one.
 std::vector<Point> without_standing(const std::vector<Point>& all) {
-  constexpr double kRounding = 1e-13;
   double extent = 0.0;
   for (const Point& p : all) {
     extent = std::max({extent, std::abs(p.x), std::abs(p.z)});
@@ -40,7 +39,7 @@ std::vector<Point> without_standing(const std::vector<Point>& all) {
   for (const Point& p : all) {
     if (points.empty() ||
         std::hypot(p.x - points.back().x, p.z - points.back().z) >
-            kRounding * extent) {
+            kShortestFold * extent) {
       points.push_back(p);
     }
   }

@@ -10,6 +10,7 @@
 #include "brachisto/math/clock.hpp"
 #include "brachisto/math/index.hpp"
 #include "model/field.hpp"
+#include "model/path_inequality.hpp"
 #include "model/start_angle.hpp"
 #include "transcription/held_control.hpp"
 
@@ -218,10 +219,35 @@ MeshMotion::Place LimitedMotion::place(int element, double t) const {
           s};
 }
 
+namespace {
+
+/// Whether drag, which grows like the speed, has a share in a force that is
+/// held from rest on: then the slope changes like the speed, too.
+bool drag_bends_at_start(const LimitedCurve& curve) {
+  const LimitedTime& problem = curve.problem();
+  const Scene& scene = problem.scene();
+  if (!(scene.world.air.linear > 0.0)) return false;
+  const TurningPoint<double> start = curve.state_at(0, 0.0);
+  const auto forms = ForceForms<double>::of(
+      scene, pull_on(scene, start.x, start.z, start.theta), start.theta,
+      start.beta);
+  for (int i = 0; i < problem.layout().num_limits(); ++i) {
+    const PathInequality& limit = problem.limits()[at(i)];
+    if (limit.bounds_force() && curve.active(0, i) &&
+        value_of(limit, forms.by_drag, start) != 0.0) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
 StartLimits LimitedMotion::limits_at_start() const {
   const LimitedTime& problem = curve_.problem();
   const PathState start = place(0, 0.0).state;
-  if (!curve_.holds_control(0) || problem.pushed()) {
+  if (!curve_.holds_control(0) || problem.pushed() ||
+      drag_bends_at_start(curve_)) {
     return start_limits(natural(), start);
   }
   const TurningPoint<double> first =

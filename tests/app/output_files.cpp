@@ -267,10 +267,46 @@ TEST(Race, OnOneTrackTakesTimesByTheLawOfRolling) {
   const auto time_of = [&](const std::string& name) {
     return std::stod(output.out.substr(output.out.find(name) + name.size()));
   };
-  // Of the spline through the points of the track, which one alone rolls on.
+  // Times are printed to 1e-7 of them.
   constexpr double kOfSpline = 1e-6;
   EXPECT_NEAR(time_of("hoop") / time_of("disc"), std::sqrt(2.0 / 1.5),
               kOfSpline);
+}
+
+/// An off-centred body just fits into its own track at A.
+TEST(Race, OnOneTrackAnEqualTakesTheSameTime) {
+  const ScratchDirectory scratch;
+  const std::string text =
+      "scene: {body: {shape: cylinder, radius: 1/3, eta_m: 2/3, theta_m: -30 "
+      "deg, k: 1/2}, finish: {L: 3, H: 1}}\n";
+
+  const Output output = run({"race", scratch.file("one.yaml", text),
+                             scratch.file("two.yaml", text), "--same-track",
+                             "--out", (scratch.path() / "race.html").string()});
+
+  ASSERT_EQ(output.code, 0) << output.err;
+  // Either may come first, by rounding.
+  const std::string time = "  1.137174 ";
+  const std::size_t first = output.out.find(time);
+  ASSERT_NE(first, std::string::npos) << output.out;
+  EXPECT_NE(output.out.find(time, first + 1), std::string::npos) << output.out;
+  EXPECT_NE(output.out.find("+0.000\n"), std::string::npos) << output.out;
+}
+
+TEST(Race, OnOneTrackRefusesOneThatDoesNotLeadFromAToB) {
+  const ScratchDirectory scratch;
+  const std::string file = scratch.file(
+      "one.yaml",
+      "scene: {body: {shape: cylinder, radius: 1/3, k: 1/2}, contact: centre, "
+      "finish: {L: 3, H: 1}}\n");
+
+  const Output output = run({"race", file, file, "--same-track", "--out",
+                             (scratch.path() / "race.html").string()});
+
+  EXPECT_EQ(output.code, 3);
+  EXPECT_NE(output.err.find("scene.contact: centre was read"),
+            std::string::npos)
+      << output.err;
 }
 
 TEST(Race, OnOneTrackRefusesAnotherFinishBeforeItSolves) {

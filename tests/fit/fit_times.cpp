@@ -201,22 +201,5 @@ TEST(FitTimes, RefusesAnEdgeThatIsNoMinimum) {
               HasSubstr("χ² falls all the way to scene.losses.rolling = "));
 }
 
-/// The path is of the fourth order in a thousand places, and T is stationary
-/// about an extremal.
-TEST(HeldPath, IsThatOfTheAnswer) {
-  for (const Scene& scene : {bead_scene(), off_centred_scene()}) {
-    const Solution answer = solve(scene);
-    ASSERT_TRUE(answer.verified());
-
-    const PrescribedMotion held(scene, fit::held_path(*answer.motion()));
-
-    ASSERT_FALSE(held.stall());
-    EXPECT_NEAR(held.transit_time() / answer.motion()->transit_time(), 1.0,
-                1e-8);
-    EXPECT_NEAR(held.centre_path_length(),
-                answer.motion()->centre_path_length(), 1e-7);
-  }
-}
-
 }  // namespace
 }  // namespace brachisto

@@ -31,7 +31,7 @@ std::vector<std::pair<std::string, PlaneCurvePtr>> all_curves() {
       {"centre over an arc", centre_path_over(arc, 0.3)},
       {"spline", spline_through({a, {1.0, 0.6}, {2.0, 0.7}, b})},
       {"through places from rest",
-       curve_from_rest(a, {0.1, 1.0}, {0.3, 0.5, 0.8, 1.0},
+       curve_from_rest(a, {{0.1, 1.0}, {}}, {0.3, 0.5, 0.8, 1.0},
                        {{0.01, 0.1}, {0.1, 0.3}, {1.1, 0.9}, {2.5, 1.25}})}};
 }
 
@@ -41,7 +41,8 @@ const std::vector<double> kPlaces{0.05, 0.27, 0.52, 0.7, 0.95};
 
 TEST(CurveFromRest, IsExactForCubicsOverSquares) {
   // Cubic splines with the end conditions of cubics reproduce them: offsets q²
-  // (1 + q, 2 − q³), also before the first place.
+  // (1 + q, 2 − q³), also before the first place. So they do where the way is
+  // (5, −1) at the end, as the derivative tells.
   const auto offset = [](double q) {
     return Point{q * q * (1.0 + q), q * q * (2.0 - q * q * q)};
   };
@@ -49,21 +50,67 @@ TEST(CurveFromRest, IsExactForCubicsOverSquares) {
   std::vector<Point> offsets;
   for (const double q : places) offsets.push_back(offset(q));
 
-  const PlaneCurvePtr curve =
-      curve_from_rest({3.0, 4.0}, {1.0, 2.0}, places, offsets);
-
   constexpr double kRounding = 1e-14;
-  for (const double q : {0.0, 1e-6, 0.1, 0.3, 0.45, 0.7, 0.99, 1.0}) {
+  for (const CurveEnds& ends :
+       {CurveEnds{{1.0, 2.0}, {}}, {{1.0, 2.0}, Point{5.0, -1.0}}}) {
+    const PlaneCurvePtr curve =
+        curve_from_rest({3.0, 4.0}, ends, places, offsets);
+    for (const double q : {0.0, 1e-6, 0.1, 0.3, 0.45, 0.7, 0.99, 1.0}) {
+      const CurvePlace at = curve->at(q);
+      EXPECT_NEAR(at.offset.x, offset(q).x, kRounding) << q;
+      EXPECT_NEAR(at.offset.z, offset(q).z, kRounding) << q;
+      // d(offset)/dq = q (2 + 3 q, 4 − 5 q³), and its turning.
+      const double x = 2.0 + 3.0 * q, z = 4.0 - 5.0 * q * q * q;
+      EXPECT_NEAR(at.beta, std::atan2(z, x), 10.0 * kRounding) << q;
+      EXPECT_NEAR(at.speed, q * std::hypot(x, z), 10.0 * kRounding) << q;
+      EXPECT_NEAR(at.turning, (x * (-15.0 * q * q) - z * 3.0) / (x * x + z * z),
+                  100.0 * kRounding)
+          << q;
+    }
+  }
+}
+
+TEST(CurveFromRest, EndsWithTheSlopeThatIsGiven) {
+  // Few places on the arc s = q² π/2 of a circle of radius 1.
+  const std::vector<double> places{0.4, 0.7, 1.0};
+  std::vector<Point> offsets;
+  for (const double q : places) {
+    const double s = kVertical * q * q;
+    offsets.push_back({std::sin(s), 1.0 - std::cos(s)});
+  }
+
+  const double S = kVertical;
+  const PlaneCurvePtr curve =
+      curve_from_rest({}, {{S, 0.0}, Point{0.0, 2.0 * S}}, places, offsets);
+
+  const CurvePlace end = curve->at(1.0);
+  EXPECT_NEAR(end.beta, kVertical, 1e-15);
+  EXPECT_NEAR(end.speed, 2.0 * kVertical, 1e-14);
+  EXPECT_NEAR(end.offset.x, 1.0, 1e-15);
+}
+
+TEST(CurveOfSlopes, IsExactWhereSlopesAreCubics) {
+  // β = q², s = q² π/2: an arc of 1 rad of a circle of radius π/2. Its places
+  // are integrals by a rule of order 8, with 10 pieces to 2e-14.
+  const double R = kVertical;
+  const auto on_arc = [&](double beta) {
+    return Point{R * std::sin(beta), R * (1.0 - std::cos(beta))};
+  };
+  SlopesAlong slopes{R, {}, {}};
+  for (int i = 0; i <= 10; ++i) {
+    slopes.q.push_back(0.1 * i);
+    slopes.beta.push_back(0.01 * i * i);
+  }
+  slopes.q.back() = 1.0;
+  const PlaneCurvePtr curve = curve_of_slopes({}, slopes);
+
+  for (const double q : {0.0, 1e-6, 0.05, 0.33, 0.7, 1.0}) {
     const CurvePlace at = curve->at(q);
-    EXPECT_NEAR(at.offset.x, offset(q).x, kRounding) << q;
-    EXPECT_NEAR(at.offset.z, offset(q).z, kRounding) << q;
-    // d(offset)/dq = q (2 + 3 q, 4 − 5 q³), and its turning.
-    const double x = 2.0 + 3.0 * q, z = 4.0 - 5.0 * q * q * q;
-    EXPECT_NEAR(at.beta, std::atan2(z, x), 10.0 * kRounding) << q;
-    EXPECT_NEAR(at.speed, q * std::hypot(x, z), 10.0 * kRounding) << q;
-    EXPECT_NEAR(at.turning, (x * (-15.0 * q * q) - z * 3.0) / (x * x + z * z),
-                100.0 * kRounding)
-        << q;
+    EXPECT_NEAR(at.beta, q * q, 1e-15) << q;
+    EXPECT_NEAR(at.turning, 2.0 * q, 1e-13) << q;
+    EXPECT_NEAR(at.speed, 2.0 * R * q, 1e-15) << q;
+    EXPECT_NEAR(at.offset.x, on_arc(q * q).x, 1e-12) << q;
+    EXPECT_NEAR(at.offset.z, on_arc(q * q).z, 1e-12) << q;
   }
 }
 
@@ -133,8 +180,9 @@ TEST(Pace, IsThatOfThePlace) {
   const std::vector<PlaneCurvePtr> curves{
       spline_through(points), parabola({0.0, 0.0}, {2.0, 1.0}, 1.0),
       centre_path_over(spline_through(points), 0.05),
-      curve_from_rest({0.0, 0.0}, {0.5, 1.5}, {0.4, 0.7, 1.0},
-                      {{0.1, 0.3}, {0.5, 0.7}, {1.0, 1.0}})};
+      curve_from_rest({0.0, 0.0}, {{0.5, 1.5}, {}}, {0.4, 0.7, 1.0},
+                      {{0.1, 0.3}, {0.5, 0.7}, {1.0, 1.0}}),
+      curve_of_slopes({0.0, 0.0}, {2.0, {0.0, 0.5, 1.0}, {1.5, 0.2, -0.1}})};
   for (std::size_t i = 0; i < curves.size(); ++i) {
     for (const double q : {1e-6, 0.1, 0.5, 0.77, 1.0}) {
       const CurvePlace place = curves[i]->at(q);

@@ -158,11 +158,13 @@ TEST(TrajectoryTable, RefusesOtherTextsWithTheLine) {
   EXPECT_EQ(refusal(head + row + row),
             "there are no two rows of different times");
   EXPECT_EQ(refusal(good + row), "line 5: the time does not grow");
-  EXPECT_EQ(refusal(head + row + "0,1,x,0\n"), "line 3: x is no number");
+  EXPECT_EQ(refusal(head + row + "0,1,x,0,0,0,0,0,0,0,0,0,0,0,0\n"),
+            "line 3: x is no number");
   EXPECT_EQ(refusal(head + row + "0,1,0,0,0,0,0,0,0,0,0,0,0,0,0,7\n"),
-            "line 3 has too many cells");
-  // A row that ends early lacks its time or its numbers, which stay unknown.
-  EXPECT_EQ(refusal(head + row + "0\n"), "line 3: the time does not grow");
+            "line 3 has 16 cell(s), not 15");
+  // A row that was cut off.
+  EXPECT_EQ(refusal(head + row + "0,1,0,0\n"), "line 3 has 4 cell(s), not 15");
+  EXPECT_EQ(refusal(head + row + "\n"), "line 3 has 1 cell(s), not 15");
 }
 
 }  // namespace

@@ -144,6 +144,7 @@ TEST(Summary, AdvisesASearchUnderLimitsAndNothingThatIsRefused) {
   Solution solution = testing::limited_solution();
   EXPECT_FALSE(says(summary(solution), "--certify")) << summary(solution);
   solution.diagnostics->min_fold_margin = {-0.5, 1.25};
+  solution.diagnostics->folds_back = 0.01;
 
   const std::string text = summary(solution);
 

@@ -370,6 +370,67 @@ TEST(LimitedTracks, ThatLiftTheBodyOffAreVerifiedAndNotFeasible) {
   EXPECT_NE(reason.find("normal_force: {min: 0}"), std::string::npos) << reason;
 }
 
+/// The larger a bound, the nearer the track is to the free one. At A friction
+/// holds however large μ is, and takes some 0.04/μ of τ.
+TEST(LimitedTracks, ThatNumbersHardlyBoundAreTheFreeOnes) {
+  Scene bead = off_centred_scene();
+  bead.body = Body::bead();
+  const Solution free_bead = solve(bead), free = solve(off_centred_scene());
+  for (const double bound : {1e4, 1e9, 1e15}) {
+    const Solution solution = solve(under(bead, bends(bound, bound)));
+    ASSERT_TRUE(solution.verified()) << bound << ": " << solution.message;
+    EXPECT_NEAR(solution.motion()->tau(), free_bead.motion()->tau(), 1e-12);
+  }
+  for (const double mu : {1e5, 1e7, 1e9, 1e12}) {
+    const Solution solution = solve(under(off_centred_scene(), friction(mu)));
+    ASSERT_TRUE(solution.verified()) << mu << ": " << solution.message;
+    EXPECT_TRUE(solution.feasible()) << mu;
+    EXPECT_NEAR(solution.motion()->tau(), free.motion()->tau(),
+                0.1 / mu + allowed(solution));
+  }
+}
+
+/// Friction and linear drag c from rest let the slope rise like the speed, by
+/// b c v: the track folds for every c, for the more of its way back, b² c², the
+/// greater c is, and its curvature at A is −1/r.
+TEST(LimitedTracks, FoldByAsMuchAsDragBendsThem) {
+  Scene scene = off_centred_scene();
+  scene.body.eta_m = 0.0;
+  scene.limits.friction = 0.4;
+  const auto in_air = [&](double c) {
+    scene.world.air.linear = c;
+    return solve(scene);
+  };
+
+  std::vector<double> back;
+  for (const double c : {0.5, 1.0, 1e-6}) {
+    const Solution solution = in_air(c);
+    ASSERT_TRUE(solution.verified()) << c << ": " << solution.message;
+    const PathDiagnostics& path = *solution.diagnostics;
+    EXPECT_NEAR(path.at_start.curvature, -1.0 / scene.body.radius, 1e-12);
+    EXPECT_EQ(solution.feasible(), c < 1e-3);
+    back.push_back(path.folds_back);
+  }
+
+  EXPECT_NEAR(std::log2(back[1] / back[0]), 2.0, 0.05);
+  EXPECT_LT(back[2], 1e-12);
+}
+
+/// Drag on the axis has no share in what presses a uniform body: where a least
+/// load holds from rest the track begins straight.
+TEST(LimitedTracks, BeginStraightWhereDragHasNoShareInALoad) {
+  Scene scene = off_centred_scene();
+  scene.body.eta_m = 0.0;
+  scene.limits.normal_min = 0.5;
+  scene.world.air.linear = 1.0;
+
+  const Solution solution = solve(scene);
+
+  ASSERT_TRUE(solution.verified()) << solution.message;
+  EXPECT_NEAR(solution.diagnostics->at_start.curvature, 0.0, 1e-9);
+  EXPECT_NEAR(solution.diagnostics->at_start.fold_margin, 1.0, 1e-9);
+}
+
 /// While friction holds the control no arc can stay on the floor: the body
 /// reaches it at one point, where its centre moves along it.
 TEST(LimitedTracks, TouchAFloorThatFrictionKeepsThemFromFollowing) {

@@ -215,11 +215,13 @@ TEST(InfeasibleBody, MayHaveSeveralReasons) {
 
   solution.diagnostics->min_normal_force = {-0.5, 1.25};
   solution.diagnostics->min_fold_margin = {0.0, 2.5};
+  solution.diagnostics->folds_back = 0.01;
 
   const std::vector<std::string> reasons = solution.infeasible_because();
   ASSERT_EQ(reasons.size(), 2u);
   EXPECT_NE(reasons[0].find("-0.5 m g at x_b = 1.25"), std::string::npos);
-  EXPECT_NE(reasons[1].find("at x_b = 2.5"), std::string::npos);
+  EXPECT_NE(reasons[1].find("at x_b = 2.5, and runs back by 0.01 m"),
+            std::string::npos);
 }
 
 TEST(Effort, AddsUp) {

@@ -60,7 +60,8 @@ double time_on_displaced(const Motion& motion, double from, double to,
   }
   const double first = motion.at(q.front()).s / (q.front() * q.front());
   const Point at_start{first * std::cos(beta), first * std::sin(beta)};
-  return PrescribedMotion(scene, curve_from_rest(start, at_start, q, offsets))
+  return PrescribedMotion(scene,
+                          curve_from_rest(start, {at_start, {}}, q, offsets))
       .transit_time();
 }
 

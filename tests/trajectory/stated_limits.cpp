@@ -14,6 +14,7 @@
 
 #include "model/path_inequality.hpp"
 #include "trajectory/feasibility.hpp"
+#include "trajectory/self_crossing.hpp"
 
 namespace brachisto {
 namespace {
@@ -210,6 +211,10 @@ TEST(Feasibility, LeavesFoldsToTheLimitThatForbidsThem) {
   path.min_fold_margin = {-1e-12, 1.25};
 
   scene.limits = {};
+  const double shortest = kShortestFold * std::hypot(scene.L, scene.H);
+  path.folds_back = 0.9 * shortest;
+  EXPECT_TRUE(infeasible_because(scene, path).empty());
+  path.folds_back = 1.1 * shortest;
   EXPECT_EQ(infeasible_because(scene, path).size(), 1u);
   scene.limits.fold_margin = 0.0;
   EXPECT_TRUE(infeasible_because(scene, path).empty());

@@ -18,6 +18,8 @@
 
 namespace brachisto {
 
+class PlaneCurve;
+
 /// How sharply a path may turn, both bounds positive [1/m].
 struct CurvatureLimit {
   enum class Of { Track, Centre };
@@ -76,6 +78,14 @@ struct GivenPath {
   /// Slope angle at the start, of a parabola or an arc [rad].
   std::optional<double> start_angle;
   std::vector<Point> points;  ///< of Shape::Points [m]
+  /// What the points only show, if it is known: the path that the centre of a
+  /// body took, perhaps of another radius [m], above the track that is meant.
+  /// Files have the points alone.
+  struct Taken {
+    std::shared_ptr<const PlaneCurve> centre;
+    double radius = 0.0;
+  };
+  std::optional<Taken> taken;
 
   /// True if the shape leaves the choice of the start angle.
   [[nodiscard]] bool has_start_angle() const {

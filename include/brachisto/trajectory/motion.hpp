@@ -67,7 +67,9 @@ struct PathDiagnostics {
   Extreme min_curvature, max_curvature;
   /// The smallest κ_b after its first monotone rise from the start [1/m].
   Extreme curvature_after_rise;
-  Extreme min_fold_margin;             ///< of 1 − r κ_c
+  Extreme min_fold_margin;  ///< of 1 − r κ_c
+  /// As far as the track does where that is negative [m].
+  double folds_back = 0.0;
   double max_abs_slope = 0.0;          ///< of the continuous β [rad]
   std::optional<Point> self_crossing;  ///< of the track [m]
   /// What the mesh leaves open, estimated: of R_n after its first rise [m g],

@@ -43,9 +43,9 @@ TEST(HeldPath, IsThatOfTheAnswer) {
   bent.limits.curvature = {3.0, 3.0, CurvatureLimit::Of::Centre};
   constexpr double kJump = 3e-6;
   const std::vector<std::tuple<Scene, double, double>> cases{
-      {bead, 1e-8, 1e-7},
-      {rolling_scene(2.0 / 3.0, 0.0), 1e-8, 1e-7},
-      {rolling_scene(2.0 / 3.0, 1.0), 1e-8, 1e-7},
+      {bead, 1e-10, 1e-9},
+      {rolling_scene(2.0 / 3.0, 0.0), 1e-10, 1e-9},
+      {rolling_scene(2.0 / 3.0, 1.0), 1e-10, 1e-9},
       {bent, kJump, kJump}};
   for (const auto& [scene, of_T, of_length] : cases) {
     const Solution answer = solve(scene);

@@ -336,6 +336,43 @@ TEST(PrescribedMotion, OfASplineTakesWorkInProportionToItsPoints) {
   EXPECT_LE(many / 4000.0, 2000.0);
 }
 
+/// β = β₀ − ε sin k s with r ε k = 1 + δ: where cos k s < −1/(1 + δ), over
+/// phases of ±φ, the track runs back by 2 (r ε sin φ − φ/k) on each wave. The
+/// spline of 80 slopes to a wave, h = 2π/80 apart in phase, has dβ/ds to h³/125
+/// of it at the most (4e-6), which is a share of 1.5 · 4e-6/δ of the way back.
+/// The narrowest fold is as wide as two thirds of h.
+TEST(PrescribedMotion, TellsHowFarItsTrackFoldsBack) {
+  constexpr int kWaves = 5, kPlaces = 80 * kWaves;
+  Body body;
+  body.radius = 0.1;
+  body.k = 0.5;
+  const double S = 2.0, k = 2.0 * std::numbers::pi * kWaves / S;
+  for (const double delta : {-1e-3, 3e-4, 1e-3, 1e-2, 1e-1}) {
+    const double epsilon = (1.0 + delta) / (body.radius * k);
+    SlopesAlong slopes{S, {}, {}, true};
+    for (int i = 0; i <= kPlaces; ++i) {
+      const double share = static_cast<double>(i) / kPlaces;
+      slopes.q.push_back(std::sqrt(share));
+      slopes.beta.push_back(0.8 - epsilon * std::sin(k * S * share));
+    }
+    const PrescribedMotion motion(scene_of(body),
+                                  curve_of_slopes({0.0, -body.radius}, slopes));
+    ASSERT_FALSE(motion.stall()) << delta;
+
+    const PathDiagnostics path = motion.diagnose();
+
+    if (delta < 0.0) {
+      EXPECT_GT(path.min_fold_margin.value, 0.0);
+      EXPECT_EQ(path.folds_back, 0.0);
+      continue;
+    }
+    const double phi = std::acos(1.0 / (1.0 + delta));
+    const double back = 2.0 * (body.radius * epsilon * std::sin(phi) - phi / k);
+    EXPECT_NEAR(path.min_fold_margin.value, -delta, 4e-6) << delta;
+    EXPECT_NEAR(path.folds_back / back, 1.0, 6e-6 / delta) << delta;
+  }
+}
+
 TEST(PrescribedMotion, IsStoppedFromOutside) {
   std::vector<Point> track;
   for (int i = 0; i <= 20000; ++i) {

@@ -24,6 +24,7 @@
 #include "io/input_tree.hpp"
 #include "io/visible_text.hpp"
 #include "io/yaml_writer.hpp"
+#include "model/centre_curve.hpp"
 #include "trajectory/held_path.hpp"
 
 namespace brachisto::app {
@@ -149,7 +150,7 @@ int run(const FitFlags& flags) {
     return std::max<int>(exit_code(solution, signal.load()), kNotSolved);
   }
   const Scene scene = without_whole_turns(problem.scene);
-  const PlaneCurvePtr centre = held_path(*solution.motion());
+  const PlaneCurvePtr centre = centre_curve(on_its_path(*solution.motion()));
   const StopScope scope{StopCondition(&signal)};
   const fit::Fit found = fit::fit_times(
       scene, centre, fit::places_of(measured, PrescribedMotion(scene, centre)),

@@ -32,6 +32,8 @@ PlaneCurvePtr curve_between(const GivenPath& path, Point start, Point end) {
       return cycloid_curve(start, end);
     case GivenPath::Shape::Points:
       return spline_through(path.points);
+    case GivenPath::Shape::Slopes:
+      return curve_of_slopes(start, path.slopes);
   }
   throw std::invalid_argument("unknown shape");
 }
@@ -86,18 +88,20 @@ PlaneCurvePtr centre_curve(const Scene& scene) {
   const GivenPath& path = *scene.path;
   const Point a{0.0, 0.0}, b{scene.L, scene.H};
   const double r = scene.body.radius;
-  if (path.taken) {
+  if (path.track_of) {
     constexpr double kSame = 1e-11;  // of the radius: rounding at A
-    const double more = r - path.taken->radius;
-    return std::abs(more) <= kSame * r
-               ? path.taken->centre
-               : centre_path_over(path.taken->centre, more);
+    const double more = r - path.track_of->body.radius;
+    const PlaneCurvePtr other = centre_curve(*path.track_of);
+    return std::abs(more) <= kSame * r ? other : centre_path_over(other, more);
   }
   if (scene.contact == Contact::Centre) return curve_between(path, a, b);
   if (path.curve == GivenPath::Curve::Track) {
     return centre_path_over(curve_between(path, a, b), r);
   }
   switch (path.shape) {
+    case GivenPath::Shape::Slopes:
+      return curve_between(path, centre_above(a, r, path.slopes.beta.front()),
+                           b);
     case GivenPath::Shape::Straight:
       // Parallel to the line from A to B.
       return centre_path_over(straight_line(a, b), r);

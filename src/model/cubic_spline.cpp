@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
 #include <utility>
 
 namespace brachisto {
@@ -27,10 +28,10 @@ double bend_at_end(const double* t, const double* y, std::ptrdiff_t s,
   return 2.0 * (second(0) + third * (2.0 * t[0] - t[s] - t[2 * s]));
 }
 
-/// Second derivatives of the cubic spline through (t_i, y_i): the tridiagonal
+/// Second derivatives of one cubic spline through (t_i, y_i): the tridiagonal
 /// system, which is diagonally dominant, by elimination.
-std::vector<double> second_derivatives(const std::vector<double>& t,
-                                       const std::vector<double>& y,
+std::vector<double> second_derivatives(std::span<const double> t,
+                                       std::span<const double> y,
                                        std::optional<double> at_end) {
   const std::size_t n = t.size();
   std::vector<double> m(n, 0.0), upper(n, 0.0);
@@ -54,13 +55,33 @@ std::vector<double> second_derivatives(const std::vector<double>& t,
   return m;
 }
 
+/// Of all splines that follow each other.
+std::vector<double> all_second_derivatives(std::span<const double> t,
+                                           std::span<const double> y,
+                                           std::optional<double> at_end) {
+  std::vector<double> all;
+  while (!t.empty()) {
+    const auto twice = std::ranges::adjacent_find(t);
+    const bool last = twice == t.end();
+    const std::size_t count =
+        last ? t.size() : static_cast<std::size_t>(twice - t.begin()) + 1;
+    const std::vector<double> m =
+        second_derivatives(t.first(count), y.first(count),
+                           last ? at_end : std::optional<double>());
+    all.insert(all.end(), m.begin(), m.end());
+    t = t.subspan(count);
+    y = y.subspan(count);
+  }
+  return all;
+}
+
 }  // namespace
 
 CubicSpline::CubicSpline(std::vector<double> t, std::vector<double> y,
                          std::optional<double> at_end)
     : t_(std::move(t)),
       y_(std::move(y)),
-      m_(second_derivatives(t_, y_, at_end)) {}
+      m_(all_second_derivatives(t_, y_, at_end)) {}
 
 int CubicSpline::piece_of(double t) const {
   const auto next = std::upper_bound(t_.begin() + 1, t_.end() - 1, t);

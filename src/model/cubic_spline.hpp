@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The brachisto authors
 // SPDX-License-Identifier: MIT
 
-// Cubic splines: twice continuously differentiable interpolation.
+// Cubic splines: twice continuously differentiable interpolation, but where its
+// slope may jump.
 
 #pragma once
 
@@ -15,7 +16,8 @@ namespace brachisto {
 /// last one follows from the derivative there.
 class CubicSpline {
  public:
-  /// \param t       ascending; y of the same length, two or more
+  /// \param t       ascending; y of the same length, two or more. Where one is
+  ///                given twice, with the same y, another spline begins.
   /// \param at_end  dy/dt at the last t, where it is known
   CubicSpline(std::vector<double> t, std::vector<double> y,
               std::optional<double> at_end = {});

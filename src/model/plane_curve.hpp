@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "brachisto/model/body.hpp"
+#include "brachisto/model/scene.hpp"
 
 namespace brachisto {
 
@@ -91,18 +91,8 @@ struct CurveEnds {
                                             const std::vector<double>& q,
                                             const std::vector<Point>& offsets);
 
-/// Slopes along a curve.
-struct SlopesAlong {
-  double length;             ///< S [m]
-  std::vector<double> q;     ///< √(s/S), ascending from 0 to 1; two or more
-  std::vector<double> beta;  ///< one for each q [rad]
-  /// β is a smooth function of s, and its curvature at the start finite;
-  /// otherwise one of √s alone.
-  bool smooth_over_length = false;
-};
-
-/// The curve whose slope angle is the cubic spline, over s or √s, through those
-/// given.
+/// The curve whose slope angle is a cubic spline, over s or √s, through those
+/// given, or several where the curvature jumps.
 [[nodiscard]] PlaneCurvePtr curve_of_slopes(Point start,
                                             const SlopesAlong& slopes);
 

@@ -11,6 +11,8 @@
 
 #include "brachisto/model/body.hpp"
 #include "math/angle.hpp"
+#include "model/contact.hpp"
+#include "model/plane_curve.hpp"
 #include "model/scene_checker.hpp"
 
 namespace brachisto {
@@ -130,11 +132,59 @@ void check_ball(const Ball& ball, SceneChecker& check) {
   }
 }
 
+/// Those of a path that only the library is told of.
+void check_slopes(const Scene& scene, SceneChecker& check) {
+  constexpr const char* kKey = "scene.path.slopes";
+  const SlopesAlong& slopes = scene.path->slopes;
+  check.positive(kKey, slopes.length, " m", "for it is the length of the path");
+  const std::vector<double>& q = slopes.q;
+  if (q.size() < 2 || q.size() != slopes.beta.size() || q.front() != 0.0 ||
+      q.back() != 1.0 || !(q[1] > 0.0) || !(q[q.size() - 2] < 1.0) ||
+      !std::ranges::is_sorted(q)) {
+    return check.add(kKey, "places ascend from 0 to 1, with a slope for each");
+  }
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    if (!check.finite(kKey, slopes.beta[i])) return;
+    if (i == 0 || q[i] > q[i - 1]) continue;
+    if (!(q[i] < q[i + 1]) || slopes.beta[i] != slopes.beta[i - 1]) {
+      return check.add(kKey, "a place is given twice at most, with one slope");
+    }
+  }
+  const double r = scene.path->curve == GivenPath::Curve::Track
+                       ? 0.0
+                       : contact_radius(scene);
+  const PlaneCurvePtr path =
+      curve_of_slopes(centre_above({}, r, slopes.beta.front()), slopes);
+  const Point end =
+      track_below(point_of(*path, path->at(1.0)), r, slopes.beta.back());
+  if (!(distance(end, {scene.L, scene.H}) <=
+        kCloseToEnds * std::hypot(scene.L, scene.H))) {
+    check.add(kKey, fmt::format("the track ends at ({:.9g}, {:.9g}) and has to "
+                                "end at ({:.9g}, {:.9g})",
+                                end.x, end.z, scene.L, scene.H));
+  }
+}
+
+/// Of the scene on whose track another's body is.
+void check_other(const Scene& other, const Scene& scene, SceneChecker& check) {
+  constexpr const char* kKey = "scene.path.track_of";
+  if (!other.path || other.path->track_of) {
+    return check.add(kKey, "that scene has to state the path of its body");
+  }
+  for (const SceneError& error : validate(other)) {
+    check.add(kKey, fmt::format("{}: {}", error.key, error.message));
+  }
+  if (std::hypot(other.L - scene.L, other.H - scene.H) >
+      kCloseToEnds * std::hypot(scene.L, scene.H)) {
+    check.add(kKey, "both tracks have to end at the same point");
+  }
+}
+
 void check_path(const Scene& scene, SceneChecker& check) {
   const GivenPath& path = *scene.path;
   using Shape = GivenPath::Shape;
   check.known("scene.path.curve", path.curve, GivenPath::Curve::Track);
-  check.known("scene.path.shape", path.shape, Shape::Points);
+  check.known("scene.path.shape", path.shape, Shape::Slopes);
   const bool of_track = path.curve == GivenPath::Curve::Track;
   if (of_track && scene.contact == Contact::Centre) {
     check.add("scene.path.curve",
@@ -148,6 +198,8 @@ void check_path(const Scene& scene, SceneChecker& check) {
                 "only a parabola and a circular_arc leave the choice");
     }
   }
+  if (path.shape == Shape::Slopes) check_slopes(scene, check);
+  if (path.track_of) check_other(*path.track_of, scene, check);
   if (path.shape != Shape::Points) {
     if (!path.points.empty()) {
       check.add("scene.path.file", "only shape: points has points");

@@ -154,7 +154,9 @@ class CurveOfSlopes final : public PlaneCurve {
     return pace_on(beta_.piece_of(parameter(q)), q);
   }
   [[nodiscard]] std::vector<double> joints() const override {
-    return {q_.begin() + 1, q_.end() - 1};
+    std::vector<double> joints(q_.begin() + 1, q_.end() - 1);
+    joints.erase(std::ranges::unique(joints).begin(), joints.end());
+    return joints;
   }
 
  private:
@@ -175,6 +177,7 @@ class CurveOfSlopes final : public PlaneCurve {
     static const math::QuadratureRule rule = math::gauss_legendre(4);
     const double from = q_[brachisto::at(piece)];
     Point sum = offsets_[brachisto::at(piece)];
+    if (q == from) return sum;  // so that none is of no width
     for (std::size_t i = 0; i < rule.points.size(); ++i) {
       const double there = from + (q - from) * rule.points[i];
       const double beta = beta_.at(piece, parameter(there)).f;

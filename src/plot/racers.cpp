@@ -117,7 +117,7 @@ std::shared_ptr<const GivenPath> track_of(const Solution& solution) {
   // What rounding leaves of the ends.
   path.points.front() = {0.0, 0.0};
   path.points.back() = {solution.scene.L, solution.scene.H};
-  path.taken = {held_path(motion), motion.scene().body.radius};
+  path.track_of = std::make_shared<const Scene>(on_its_path(motion));
   return std::make_shared<const GivenPath>(std::move(path));
 }
 

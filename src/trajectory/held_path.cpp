@@ -5,20 +5,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
+#include <utility>
 #include <vector>
 
-#include "model/centre_curve.hpp"
 #include "model/contact.hpp"
+#include "model/plane_curve.hpp"
 
 namespace brachisto {
 
 namespace {
 
 /// Bends slopes between A and B and scales their length until the track ends at
-/// B, by as little as splines through them are off where curvatures jump;
-/// returns the start of the centre.
-Point close(SlopesAlong& slopes, const Scene& scene) {
+/// B, by as little as splines through them are off.
+void close(SlopesAlong& slopes, const Scene& scene) {
   const double r = contact_radius(scene);
   const Point start = centre_above({}, r, slopes.beta.front());
   const Point end = centre_above({scene.L, scene.H}, r, slopes.beta.back());
@@ -47,13 +48,13 @@ Point close(SlopesAlong& slopes, const Scene& scene) {
       slopes.beta[i] += delta * weight(q[i]);
     }
   }
-  return start;
 }
 
 }  // namespace
 
-PlaneCurvePtr held_path(const Motion& motion) {
-  if (motion.scene().path) return centre_curve(motion.scene());
+Scene on_its_path(const Motion& motion) {
+  Scene scene = motion.scene();
+  if (scene.path) return scene;
   // A turn makes the path go up and down once.
   constexpr double kFewest = 1000.0, kPerTurn = 50.0, kMost = 1e5;
   const double turns =
@@ -63,6 +64,7 @@ PlaneCurvePtr held_path(const Motion& motion) {
   const TrajectoryPoint& last = sample.back();
   // Places divided by s would be rounding at A; slopes are not.
   const StartLimits start = motion.at_start();
+  const std::vector<double> joints = motion.joints();
   SlopesAlong slopes{
       last.s,
       {0.0},
@@ -74,8 +76,21 @@ PlaneCurvePtr held_path(const Motion& motion) {
     if (!(q > slopes.q.back())) continue;
     slopes.q.push_back(q);
     slopes.beta.push_back(at.beta);
+    if (std::ranges::binary_search(joints, at.sigma)) {
+      slopes.q.push_back(q);
+      slopes.beta.push_back(at.beta);
+    }
   }
-  return curve_of_slopes(close(slopes, motion.scene()), slopes);
+  close(slopes, scene);
+  GivenPath path;
+  path.shape = GivenPath::Shape::Slopes;
+  path.slopes = std::move(slopes);
+  scene.path = std::make_shared<const GivenPath>(std::move(path));
+  // What is given has its slopes at A and B, and is bound by nothing.
+  if (scene.contact != Contact::Centre) scene.contact = Contact::Smooth;
+  scene.end_slope.reset();
+  scene.limits = {};
+  return scene;
 }
 
 }  // namespace brachisto

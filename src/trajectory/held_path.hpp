@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: MIT
 
 /// \file
-/// The path that a centre took, as a curve on which other bodies may be put.
+/// The path that a centre took, stated in its scene: others may be put on it.
 
 #pragma once
 
+#include "brachisto/model/scene.hpp"
 #include "brachisto/trajectory/motion.hpp"
-#include "model/plane_curve.hpp"
 
 namespace brachisto {
 
-/// The given one, if it was given; otherwise by a spline of the slopes of a
-/// fine sample, to the fourth order where its curvature is smooth and to the
-/// second where it jumps, and bent by as little so that the track ends at B.
-[[nodiscard]] PlaneCurvePtr held_path(const Motion& motion);
+/// As it was given, if it was; otherwise by the slopes of a fine sample, to the
+/// fourth order of its steps where the joints of the motion are known and to
+/// the second elsewhere, bent by as little so that the track ends at B.
+[[nodiscard]] Scene on_its_path(const Motion& motion);
 
 }  // namespace brachisto

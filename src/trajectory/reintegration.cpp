@@ -413,16 +413,18 @@ double reintegration_error(const PrescribedMotion& motion, double from) {
     if (!integrate(stepper, in_time, y, 0.0, cells[1].t, dt)) return kFailed;
     q = motion.place_at_length(y[1]);
   }
+  double within = 1.0;  // a cell, as the curvature is there
   const auto by_place = [&](const OnPath& at, OnPath& rate, double there) {
     const auto [t, s, v] = at;
-    const CurvePlace place = motion.curve().at(there);
+    const CurvePlace place = motion.curve().at(std::min(there, within));
     const double time = place.speed / v;
     rate = {time, place.speed, acceleration(motion, place, s, v) * time};
   };
   double dq = kFirstStep;
-  // Cell by cell: where the curvature has kinks the steps end, for the error
-  // estimate of this method does not see them.
+  // Cell by cell: where the curvature has kinks or jumps the steps end, for the
+  // error estimate of this method does not see them.
   for (const TrajectoryPoint& cell : cells) {
+    within = std::nextafter(cell.sigma, 0.0);
     if (!integrate(stepper, by_place, y, q, cell.sigma, dq)) return kFailed;
     q = std::max(q, cell.sigma);
   }

@@ -141,6 +141,23 @@ LimitedMotion::LimitedMotion(LimitedCurve curve, const Scene& scene,
   }
 }
 
+std::vector<double> LimitedMotion::joints() const {
+  std::vector<double> joints;
+  const LimitedTime& problem = curve_.problem();
+  if (!problem.held()) return joints;
+  const int p = problem.mesh().degree;
+  for (int e = 0; e + 1 < problem.mesh().num_elements(); ++e) {
+    for (int i = 0; i < problem.layout().num_limits(); ++i) {
+      // First points: the last one before a boundary lies on it already.
+      if (problem.held_at(e * p, i) == problem.held_at((e + 1) * p, i))
+        continue;
+      joints.push_back(problem.mesh().sigma(e, 1.0));
+      break;
+    }
+  }
+  return joints;
+}
+
 // A polynomial takes some points of its mesh for a jump of the control, and
 // none of them sees what forces and folds come to at the jump.
 PathDiagnostics LimitedMotion::diagnose() const {

@@ -111,6 +111,8 @@ class LimitedMotion final : public MeshMotion {
 
   [[nodiscard]] const LimitedCurve& curve() const { return curve_; }
 
+  /// Where arcs meet, if they are known.
+  [[nodiscard]] std::vector<double> joints() const override;
   /// Where arcs are not known, with what their junctions may hide.
   [[nodiscard]] PathDiagnostics diagnose() const override;
 

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -112,6 +113,31 @@ TEST(CurveOfSlopes, IsExactWhereSlopesAreCubics) {
     EXPECT_NEAR(at.offset.x, on_arc(q * q).x, 1e-12) << q;
     EXPECT_NEAR(at.offset.z, on_arc(q * q).z, 1e-12) << q;
   }
+}
+
+TEST(CurveOfSlopes, TurnsSharplyWhereAPlaceIsGivenTwice) {
+  // Half a metre down at 45°, then half of an arc of the radius 1 m: to each
+  // side of the joint, where an ulp decides, the curvature is that of its own.
+  constexpr double kHalf = 0.5, kSlope = 0.25 * std::numbers::pi;
+  const double joint = std::sqrt(kHalf);
+  SlopesAlong slopes{1.0, {}, {}, true};
+  for (const auto& [from, to] : {std::pair{0.0, kHalf}, {kHalf, 1.0}}) {
+    for (const double share : {0.0, 0.2, 0.5, 0.9, 1.0}) {
+      const double s = from + share * (to - from);
+      slopes.q.push_back(s == kHalf ? joint : std::sqrt(s));
+      slopes.beta.push_back(kSlope - std::max(0.0, s - kHalf));
+    }
+  }
+  const PlaneCurvePtr curve = curve_of_slopes({}, slopes);
+
+  EXPECT_EQ(std::ranges::count(curve->joints(), joint), 1);
+  EXPECT_NEAR(curve->at(std::nextafter(joint, 0.0)).turning, 0.0, 1e-12);
+  EXPECT_NEAR(curve->at(joint).turning, -2.0 * joint, 1e-12);
+  const CurvePlace end = curve->at(1.0);
+  const double beta = kSlope - kHalf, half = kHalf * std::sqrt(kHalf);
+  EXPECT_NEAR(end.beta, beta, 1e-14);
+  EXPECT_NEAR(end.offset.x, half + std::sin(kSlope) - std::sin(beta), 1e-12);
+  EXPECT_NEAR(end.offset.z, half + std::cos(beta) - std::cos(kSlope), 1e-12);
 }
 
 TEST(PlaneCurve, HasTheTangentOfItsSlopeAngle) {

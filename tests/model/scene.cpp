@@ -19,6 +19,7 @@ namespace brachisto::testing {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 /// One way to spoil a good scene, and what is to be said about it.
 struct Spoiled {
@@ -299,6 +300,62 @@ TEST(Validate, HoldsTheEndsOfAPathAgainstEitherCoordinate) {
   EXPECT_THAT(ends_at(3.0, H * (1.0 + 2e-6)), ElementsAre("scene.path.file"));
   EXPECT_THAT(ends_at(3.0 * (1.0 + 2e-6), H), ElementsAre("scene.path.file"));
   EXPECT_THAT(ends_at(3.0, kInfinity).front(), "scene.path.file");
+}
+
+TEST(Validate, KnowsWhatSlopesLeadToB) {
+  using ::testing::ElementsAre;
+  using ::testing::IsEmpty;
+  // Straight down from A to B = (3, 1), 10% of the way too far, and so on.
+  const SlopesAlong straight{
+      std::sqrt(10.0), {0.0, 0.5, 1.0}, std::vector(3, std::atan2(1.0, 3.0))};
+  const auto along = [](const SlopesAlong& slopes) {
+    Scene scene = off_centred_scene();
+    GivenPath path;
+    path.shape = GivenPath::Shape::Slopes;
+    path.slopes = slopes;
+    scene.path = std::make_shared<const GivenPath>(path);
+    return scene;
+  };
+  EXPECT_THAT(refused(along(straight)), IsEmpty());
+  const auto bad = ElementsAre("scene.path.slopes");
+  for (const std::vector<double>& places : {std::vector{0.0, 0.5},
+                                            {0.1, 0.5, 1.0},
+                                            {0.0, 0.5, 0.9},
+                                            {0.0, 0.0, 1.0},
+                                            {0.0, 1.0, 1.0},
+                                            {0.0, kNan, 1.0}}) {
+    SlopesAlong slopes = straight;
+    slopes.q = places;
+    EXPECT_THAT(refused(along(slopes)), bad);
+  }
+  SlopesAlong slopes = straight;
+  slopes.length *= 1.1;
+  EXPECT_THAT(refused(along(slopes)), bad);
+  slopes = straight;
+  slopes.q = {0.0, 0.5, 0.5, 1.0};
+  slopes.beta.push_back(slopes.beta.back());
+  EXPECT_THAT(refused(along(slopes)), IsEmpty());
+  slopes.beta[2] += 1e-9;
+  EXPECT_THAT(refused(along(slopes)), bad);
+
+  // On the track of such a one.
+  const auto beside = [&](const Scene& other) {
+    Scene scene = off_centred_scene();
+    GivenPath path;
+    path.track_of = std::make_shared<const Scene>(other);
+    scene.path = std::make_shared<const GivenPath>(path);
+    return refused(scene);
+  };
+  const auto none = ElementsAre("scene.path.track_of");
+  EXPECT_THAT(beside(along(straight)), IsEmpty());
+  EXPECT_THAT(beside(off_centred_scene()), none);
+  Scene wrong = along(straight);
+  wrong.body.radius = 0.0;
+  EXPECT_THAT(beside(wrong), none);
+  wrong = along(straight);
+  wrong.L = 4.0;
+  wrong.path = std::make_shared<const GivenPath>();
+  EXPECT_THAT(beside(wrong), none);
 }
 
 }  // namespace

@@ -18,8 +18,6 @@
 
 namespace brachisto {
 
-class PlaneCurve;
-
 /// How sharply a path may turn, both bounds positive [1/m].
 struct CurvatureLimit {
   enum class Of { Track, Centre };
@@ -64,6 +62,20 @@ struct PathLimits {
 /// z.
 inline constexpr double kCloseToEnds = 1e-6;
 
+struct Scene;
+
+/// The slopes along a curve.
+struct SlopesAlong {
+  double length = 0.0;  ///< S [m]
+  /// √(s/S), ascending from 0 to 1; two or more, and twice between the ends
+  /// where the curvature jumps.
+  std::vector<double> q;
+  std::vector<double> beta;  ///< one for each q [rad]
+  /// β is a smooth function of s, and its curvature at the start finite;
+  /// otherwise one of √s alone.
+  bool smooth_over_length = false;
+};
+
 /// A path that is evaluated, not optimised.
 struct GivenPath {
   /// Whose curve it is.
@@ -71,21 +83,25 @@ struct GivenPath {
     Centre,  ///< of the path of the centre
     Track,   ///< of the track, from A to B
   };
-  enum class Shape { Straight, Parabola, CircularArc, Cycloid, Points };
+  enum class Shape {
+    Straight,
+    Parabola,
+    CircularArc,
+    Cycloid,
+    Points,
+    Slopes,  ///< of a centre's path; not in files
+  };
 
   Curve curve = Curve::Centre;
   Shape shape = Shape::Straight;
   /// Slope angle at the start, of a parabola or an arc [rad].
   std::optional<double> start_angle;
   std::vector<Point> points;  ///< of Shape::Points [m]
-  /// What the points only show, if it is known: the path that the centre of a
-  /// body took, perhaps of another radius [m], above the track that is meant.
-  /// Files have the points alone.
-  struct Taken {
-    std::shared_ptr<const PlaneCurve> centre;
-    double radius = 0.0;
-  };
-  std::optional<Taken> taken;
+  SlopesAlong slopes;         ///< of Shape::Slopes
+  /// On whose track, if it is another body's: that scene states the path of its
+  /// own centre, perhaps at another radius. What else is stated here only shows
+  /// the track, as files have to.
+  std::shared_ptr<const Scene> track_of;
 
   /// True if the shape leaves the choice of the start angle.
   [[nodiscard]] bool has_start_angle() const {

@@ -97,6 +97,10 @@ class Motion {
   [[nodiscard]] virtual std::vector<TrajectoryPoint> fine_sample(
       int least) const = 0;
 
+  /// The σ of samples at which the curvature is known to jump; ascending,
+  /// without the ends.
+  [[nodiscard]] virtual std::vector<double> joints() const { return {}; }
+
   [[nodiscard]] double tau() const;  ///< T √(2g/H)
   /// S + r (β₀ − β_end), the signed ∫(1 − r κ_c) ds [m].
   [[nodiscard]] double rail_length() const;

@@ -139,15 +139,19 @@ class Searcher {
   }
 
   /// To the quickest body near a start; if a branch ends on the way, along its
-  /// edge.
+  /// edge. Where that comes to nothing it is begun again elsewhere, but what it
+  /// has passed is there so far.
   std::optional<Judged> descend(const Eigen::VectorXd& from) {
     back_.reset();
     const std::optional<Judged> end = run(from, Keep::None, Follow::Neighbours);
-    if (end || !back_) return end;
+    if (end) return end;
+    if (!back_) {
+      take_passed();
+      return std::nullopt;
+    }
     const Eigen::VectorXd edge = *back_;
     const std::optional<Judged> along =
         run(edge, Keep::Branch, Follow::Neighbours);
-    // It is begun again elsewhere, but this is what there is so far.
     if (!along) take_passed();
     return along;
   }
@@ -294,8 +298,8 @@ class Searcher {
       minimum.remarks.push_back(out_.message);
     } else if (!minimum.stationary) {
       minimum.remarks.emplace_back(
-          "it is no minimum: τ jumps near it, where branches fold, and it is "
-          "the quickest body that a search has passed");
+          "it is no minimum but the quickest body that a search has passed, "
+          "which came to none: near it τ may jump, where branches fold");
     } else if (at_edge_of_branch(minimum)) {
       minimum.remarks.emplace_back(
           "it lies at the edge of its branch: from there on a track is no "

@@ -14,6 +14,7 @@
 #include "extremal/arc_flow.hpp"
 #include "model/contact.hpp"
 #include "model/field.hpp"
+#include "model/start_under_limits.hpp"
 
 namespace brachisto::arcs {
 
@@ -29,8 +30,8 @@ class Departure {
   /// \param natural  the scene, in natural units
   /// \param held     the limit that holds from A on
   /// \param near     a slope near the one at A [rad]
-  /// \param corner   what a push reaches at A besides, by which the slope there
-  ///                 is determined
+  /// \param corner   what is reached at A besides, by which the slope there is
+  ///                 determined
   Departure(const Scene& natural, const std::optional<HeldLimit>& held,
             double near, const std::optional<HeldLimit>& corner = {});
 
@@ -131,9 +132,12 @@ std::vector<Scalar> Departure::conditions(const Values<Scalar>& v) const {
   }
   if (corner_) {
     const TurningPoint<Scalar> start =
-        with_control_at(held_->limit, held_->bound, scene_,
-                        TurningPoint<Scalar>{v[kX], v[kZ], v[kTheta], v[kW],
-                                             v[kBeta], Scalar(0.0)});
+        scene_.world.start_speed > 0.0
+            ? with_control_at(
+                  held_->limit, held_->bound, scene_,
+                  TurningPoint<Scalar>{v[kX], v[kZ], v[kTheta], v[kW], v[kBeta],
+                                       Scalar(0.0)})
+            : resting_at(scene_, v[kBeta]);
     out.push_back(value_of(corner_->limit, scene_, start) -
                   Scalar(corner_->bound));
     return out;

@@ -27,7 +27,7 @@ struct Arc {
   double duration = 0.0;  ///< of u
   /// What the path touches at its end, B or where the same limit goes on.
   std::optional<HeldLimit> touched = {};
-  /// Of the first one: what a push reaches at A besides.
+  /// Of the first one: what is reached at A besides.
   std::optional<HeldLimit> corner = {};
 };
 

@@ -155,13 +155,22 @@ void apply_override(YamlValue& root, const std::string& text, int source,
   Entry* entry = make_entry(root, parts, position);
   if (entry == nullptr) {
     // Of a text where a map is expected, reading tells.
-    for (std::size_t dot = key.find('.'); dot != std::string::npos;
-         dot = key.find('.', dot + 1)) {
-      const std::string before = key.substr(0, dot);
-      if (!is_value_key(before)) continue;
+    const YamlValue* above = &root;
+    std::string path;
+    for (const std::string& part : parts) {
+      const Entry* next = above->find(part);
+      if (next == nullptr) break;
+      above = &next->value;
+      path += (path.empty() ? "" : ".") + part;
+      const bool list = above->kind == YamlValue::Kind::List;
+      if (!list && !is_value_key(path)) continue;
       findings.add(
           position, printable(key),
-          fmt::format("{} has a value, and no keys of its own", before));
+          list ? fmt::format("{} is a list; expected one for all of it, as in "
+                             "{}=[…]",
+                             path, path)
+               : fmt::format("{} has a value, and no keys of its own", path));
+      break;
     }
     return;
   }

@@ -5,6 +5,7 @@
 
 #include <boost/math/tools/minima.hpp>
 #include <cstdint>
+#include <optional>
 
 namespace brachisto::math {
 
@@ -22,6 +23,21 @@ double drop_below(const Sample& a, const Sample& b, const Sample& c) {
   return bend > 0.0 ? slope * slope / (4.0 * bend) : 0.0;
 }
 
+/// The same of the last of three samples that fall, if the parabola has risen
+/// again there; nothing where it is far from doing so.
+std::optional<double> drop_before(const Sample& a, const Sample& b,
+                                  const Sample& c) {
+  const double first = (b.value - a.value) / (b.at - a.at);
+  const double last = (c.value - b.value) / (c.at - b.at);
+  const double bend = (last - first) / (c.at - a.at);
+  const double width = c.at - b.at;
+  const double slope = last + bend * width;  // at c
+  // Its lowest place: half an interval behind the end it may be an error.
+  const double behind = -slope / (2.0 * bend);
+  if (!(bend > 0.0) || !(behind < 0.5 * width)) return std::nullopt;
+  return slope > 0.0 ? slope * slope / (4.0 * bend) : 0.0;
+}
+
 std::vector<Sample> minima(double bound, bool hidden_alone,
                            std::span<const Sample> samples,
                            const std::function<double(double)>& f) {
@@ -37,6 +53,18 @@ std::vector<Sample> minima(double bound, bool hidden_alone,
     Sample lowest = find_minimum(f, before.at, after.at);
     if (here.value < lowest.value) lowest = here;
     if (lowest.value <= bound) minima.push_back(lowest);
+  }
+  if (samples.size() < 3) return minima;
+  const Sample& end = samples.back();
+  const Sample& before = samples[samples.size() - 2];
+  if (!(end.value < before.value) || (hidden_alone && end.value < bound)) {
+    return minima;
+  }
+  const auto drop = drop_before(samples[samples.size() - 3], before, end);
+  if (!drop || end.value - 2.0 * *drop > bound) return minima;
+  const Sample lowest = find_minimum(f, before.at, end.at);
+  if (lowest.value < end.value && lowest.value <= bound) {
+    minima.push_back(lowest);
   }
   return minima;
 }

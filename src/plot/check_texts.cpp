@@ -34,8 +34,8 @@ constexpr CheckText kTexts[] = {
     {"weierstrass", "no direction at all is better than the track's"},
     {"start_angle", "the slope at the start, against the law for leaving rest"},
     {"start_corner",
-     "where a push begins on two limits, how far the second one is "
-     "off its bound"},
+     "where two limits hold at the start, how far the second one is off its "
+     "bound"},
     {"start_corner_sign",
      "that the time grows where the slope there turns to the side "
      "left open"},

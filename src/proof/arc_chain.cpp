@@ -143,7 +143,7 @@ NearChain under_limits(const Scene& scene) {
       path_on_arcs(in_natural_units(scene), answer->arcs, answer->ends,
                    *solution.program()->degree, curve.point());
   if (!path) throw NotProven("the arcs of the answer do not fit");
-  if (path->ends.corner) throw NotProven("a push begins at a second limit");
+  if (path->ends.corner) throw NotProven("a second limit holds at A");
   NearChain out{{scene, held_along(scene, path->arcs), {}}, {}};
   if (const std::string why = not_of_this_kind(out.chain); !why.empty()) {
     throw NotProven(why);

@@ -20,6 +20,7 @@ constexpr const char* kSolvedOverArcs = "solved under limits";
 constexpr int kManyElements = 2000;
 
 LimitedAnswer told(FittedPath path, double error, PassProtocol& protocol) {
+  error += path.curve.misled_from_rest().cost;
   protocol.record.estimated_error = error;
   protocol.keep_record("arcs", path.curve.transit_time());
   protocol.status = Status::Solved;

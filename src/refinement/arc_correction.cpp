@@ -166,6 +166,13 @@ void let_go_at_once(const LimitedTime& problem,
   }
 }
 
+/// Held by a limit of curvature: then q vanishes at rest, and what its
+/// polynomial leaves there is nothing to judge others by.
+bool turns(const Arc& arc, const std::vector<PathInequality>& limits) {
+  const int held = held_of_control(arc.held, limits);
+  return held >= 0 && !limits[at(held)].bounds_force();
+}
+
 /// What holds at the places of a solution, as its inequalities would have it.
 class Correction {
  public:
@@ -176,9 +183,20 @@ class Correction {
 
   [[nodiscard]] std::optional<ArcsFromA> run() {
     std::optional<StartCorner> corner = curve_.problem().ends().corner;
+    // Arcs that are worth less may be too short to be found: the estimated
+    // error has it.
+    constexpr double kCost = 5e-11;
+    const auto [until, cost] = curve_.misled_from_rest();
+    const bool misled = !(cost <= kCost);
+    bool begins = false;  // the corner
     if (corner && !(curve_.corner_multiplier() >= 0.0)) {
       corner.reset();
       changed_ = true;
+    } else if (misled) {
+      changed_ = true;
+    } else if (!corner) {
+      corner = curve_.corner_at_rest(exceeded_);
+      begins = changed_ = corner.has_value();
     }
     int first = 0;
     double begin = 0.0;
@@ -188,6 +206,7 @@ class Correction {
       begin = arc.end;
     }
     if (!changed_) return std::nullopt;
+    if (begins) let_go_behind(corner->limit);
     const LimitedTime& problem = curve_.problem();
     let_go_at_once(problem, before_, seen_);
     touch_once(seen_, problem.limits());
@@ -196,10 +215,16 @@ class Correction {
     }
     widen_new(before_, seen_);
     leave_end(problem, seen_);
-    return with_corner(
-        problem,
-        arcs_from(seen_, problem.mesh().num_elements(), problem.limits()),
-        corner);
+    std::vector<Arc> arcs =
+        arcs_from(seen_, problem.mesh().num_elements(), problem.limits());
+    if (corner && misled && until < arcs.front().end) {
+      Arc along{.held = std::vector(arcs.front().held.size(), Held::No),
+                .end = until,
+                .cuts = equal_cuts(2)};
+      along.held[corner->limit] = corner->at;
+      arcs.insert(arcs.begin(), std::move(along));
+    }
+    return with_corner(problem, std::move(arcs), corner);
   }
 
  private:
@@ -219,7 +244,8 @@ class Correction {
       for (const double t : places(e)) {
         // Junctions belong to two arcs. At rest multipliers say nothing, but
         // limits may be exceeded for the first moment alone.
-        const bool at_rest = e == 0 && t == 0.0 && !turns_at_rest(arc);
+        const bool at_rest =
+            e == 0 && t == 0.0 && !turns(arc, curve_.problem().limits());
         if ((t == 0.0 && !at_rest) || t == 1.0) continue;
         look_at(arc, e, t, given_up, !before_touch && !at_rest);
       }
@@ -230,6 +256,16 @@ class Correction {
       }
     }
     if (arc.touch) keep_touch(arc, end);
+  }
+
+  /// What is exceeded from A on by no more than the corner lets it.
+  void let_go_behind(std::size_t limit) {
+    for (std::size_t i = 0; i < seen_.size(); ++i) {
+      const bool touched = seen_[i].touch && seen_[i].touch->limit == limit;
+      if (!touched && seen_[i].held[limit] == Held::No) return;
+      seen_[i].touch.reset();
+      seen_[i].held = before_[i];
+    }
   }
 
   /// Of those that are exceeded by little the worst as well, which may lie
@@ -243,14 +279,6 @@ class Correction {
       }
     }
     return places;
-  }
-
-  /// Held by a limit of curvature: then q vanishes at rest, and what its
-  /// polynomial leaves there is nothing to judge others by.
-  [[nodiscard]] bool turns_at_rest(const Arc& arc) const {
-    const auto& limits = curve_.problem().limits();
-    const int held = held_of_control(arc.held, limits);
-    return held >= 0 && !limits[at(held)].bounds_force();
   }
 
   [[nodiscard]] bool pulls_wrong(const Arc& arc, const LimitedPoint& place,
@@ -367,6 +395,8 @@ ArcsFromA with_corner(const LimitedTime& problem, std::vector<Arc> arcs,
   if (at_A) {
     corner = StartCorner{first.touch->limit, first.touch->at};
     arcs.erase(arcs.begin());
+  } else if (corner && !problem.pushed()) {
+    if (!turns(first, problem.limits())) corner.reset();
   }
   return {std::move(arcs), corner};
 }

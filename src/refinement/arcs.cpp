@@ -126,7 +126,8 @@ Mesh mesh_of(const std::vector<Arc>& arcs, int degree) {
   return mesh;
 }
 
-HeldLimits held_limits(const std::vector<Arc>& arcs) {
+HeldLimits held_limits(const std::vector<Arc>& arcs,
+                       const std::optional<StartCorner>& corner) {
   HeldLimits held;
   for (const Arc& arc : arcs) {
     held.in_element.insert(held.in_element.end(), at(arc.elements()), arc.held);
@@ -137,6 +138,7 @@ HeldLimits held_limits(const std::vector<Arc>& arcs) {
     }
   }
   held.at_rest = arcs.front().held;
+  if (corner) held.at_rest[corner->limit] = corner->at;
   return held;
 }
 

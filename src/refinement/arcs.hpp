@@ -75,6 +75,7 @@ struct ArcsFromA {
 
 /// Where the first arc of a pushed body ends, before the end of its first
 /// element, at a touch with the same limit going on, that is a corner at A.
+/// From rest the one there is stays if the first arc turns.
 [[nodiscard]] ArcsFromA with_corner(const LimitedTime& problem,
                                     std::vector<Arc> arcs,
                                     std::optional<StartCorner> corner = {});
@@ -105,8 +106,9 @@ inline constexpr double kExceeded = 1e-7;
                                             const LimitedTime& problem);
 
 [[nodiscard]] Mesh mesh_of(const std::vector<Arc>& arcs, int degree);
-/// With the limits on forces that hold on the first arc held at rest too.
-[[nodiscard]] HeldLimits held_limits(const std::vector<Arc>& arcs);
+/// At rest what holds on the first arc, and at the corner.
+[[nodiscard]] HeldLimits held_limits(const std::vector<Arc>& arcs,
+                                     const std::optional<StartCorner>& corner);
 
 /// Whether slopes at A that are free lead to a kink upwards at rest, where no
 /// valley is bounded: the path begins with a free arc, which leaves rest under

@@ -21,7 +21,8 @@ std::optional<FittedPath> arcs_from(const LimitedCurve& mesh, int degree,
                   "limits.curvature.valley");
     return std::nullopt;
   }
-  const ArcsFromA from_A = with_corner(mesh.problem(), arcs);
+  const ArcsFromA from_A =
+      with_corner(mesh.problem(), arcs, mesh.corner_at_rest(kExceeded));
   LimitedEnds ends = mesh.problem().ends();
   ends.corner = from_A.corner;
   for (const bool graded : {false, true}) {

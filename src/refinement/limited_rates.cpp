@@ -8,10 +8,13 @@
 #include <utility>
 
 #include "brachisto/math/index.hpp"
+#include "brachisto/math/polynomial_basis.hpp"
 #include "math/central_difference.hpp"
+#include "model/contact.hpp"
 #include "model/start_under_limits.hpp"
 #include "refinement/arc_elements.hpp"
 #include "refinement/turn_meshes.hpp"
+#include "transcription/held_control.hpp"
 
 namespace brachisto {
 
@@ -54,6 +57,50 @@ double longest_element(const LimitedCurve& curve) {
     longest = std::max(longest, mesh.length(e) * curve.rolling_time() * w);
   }
   return longest;
+}
+
+/// What T grows by for the last point of a path that keeps to a limit of the
+/// place until it ends at B, as bounds move or B does: the place of B is given,
+/// and the limit has no multiplier there. The density of the multipliers before
+/// goes on to it.
+double by_limits_at_B(const LimitedCurve& curve, const PathSetting& less,
+                      const PathSetting& more, double width) {
+  const LimitedTime& problem = curve.problem();
+  const int last = problem.layout().num_points() - 1;
+  const int e = problem.mesh().num_elements() - 1, p = problem.mesh().degree;
+  if (p < 2) return 0.0;
+  std::vector<double> points = problem.scheme().rule.points;
+  points.pop_back();
+  std::vector<double> basis(points.size());
+  math::LagrangeBasis(points).evaluate(1.0, basis);
+  const TurningPoint<double> last_state = curve.state_at(e, 1.0);
+  double rate = 0.0;
+  for (std::size_t i = 0; i < less.limits.size(); ++i) {
+    const nlp::Held where = less.arcs.back().held[i];
+    if (where == nlp::Held::No ||
+        problem
+            .constraint_range(problem.layout().limit(last, static_cast<int>(i)))
+            .bounded()) {
+      continue;
+    }
+    double density = 0.0;
+    for (std::size_t c = 0; c < points.size(); ++c) {
+      density += basis[c] * curve.at(e, points[c]).multipliers[i];
+    }
+    const double du = problem.mesh().length(e) * curve.rolling_time() *
+                      problem.scheme().rule.weights.back();
+    const auto slack = [&](const PathSetting& setting) {
+      const Scene& scene = setting.scene ? *setting.scene : problem.scene();
+      const Point centre = end_of_centre(scene, setting.ends.phi);
+      TurningPoint<double> B = last_state;
+      B.x = centre.x;
+      B.z = centre.z;
+      return value_of(setting.limits[i], scene, B) -
+             bound_of(setting.limits[i], where);
+    };
+    rate += density * du * (slack(more) - slack(less)) / width;
+  }
+  return rate;
 }
 
 /// Whether a limit in which two settings of a path differ holds somewhere; of a
@@ -150,6 +197,9 @@ TimeRate LimitedRates::along(PathSetting less, PathSetting more, double width) {
   double lagrangian = 0.0;
   out.total = closed_rate(system_.to(less, more, width, lagrangian), unknowns_);
   out.at_fixed_contacts = lagrangian + of_fixed / width;
+  const double at_B = by_limits_at_B(path_.curve, less, more, width);
+  out.total += at_B;
+  out.at_fixed_contacts += at_B;
   return out;
 }
 

@@ -29,14 +29,19 @@ bool start_is_sought(const Scene& scene, const LimitedEnds& ends) {
 std::optional<LimitedEnds> with_start(LimitedEnds ends, const Scene& scene,
                                       const std::vector<PathInequality>& limits,
                                       bool held_at_A) {
+  const bool pushed = scene.world.start_speed > 0.0;
+  if (!held_at_A ||
+      (ends.corner && !pushed && !limits[ends.corner->limit].bounds_force())) {
+    ends.corner.reset();
+  }
   if (ends.free_contacts) return ends;
-  if (scene.world.start_speed > 0.0) {
-    if (!held_at_A) ends.corner.reset();
+  if (pushed) {
     ends.start_slope_fixed = !held_at_A || ends.corner;
     if (!ends.start) ends.start = start_angle(scene);
     return ends;
   }
   ends.start_slope_fixed = !(bound_valleys(limits) && held_at_A);
+  if (ends.start_slope_fixed) ends.corner.reset();
   if (!ends.start_slope_fixed && scene.contact == Contact::Centre) {
     // Where the centre starts does not depend on its direction there.
     ends.start.reset();
@@ -62,8 +67,9 @@ ContactMismatch mismatch_of(LimitedCurve& curve, const LimitedEnds& ends) {
   ContactMismatch out;
   if (end_is_sought(scene)) out.at_B = end_slope(curve) - ends.phi;
   if (start_is_sought(scene, ends)) {
-    out.at_A =
-        ends.corner ? curve.off_corner() : curve.start_slope() - *ends.start;
+    out.at_A = ends.corner && scene.world.start_speed > 0.0
+                   ? curve.off_corner()
+                   : curve.start_slope() - *ends.start;
   }
   return out;
 }

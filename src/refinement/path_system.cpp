@@ -19,7 +19,7 @@ namespace {
 LimitedTime problem_with(const Scene& scene, const PathSetting& setting,
                          int degree) {
   return {scene, setting.limits, mesh_of(setting.arcs, degree), setting.ends,
-          held_limits(setting.arcs)};
+          held_limits(setting.arcs, setting.ends.corner)};
 }
 
 void change(LimitedTime& problem, const PathSetting& setting) {

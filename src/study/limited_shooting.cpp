@@ -239,7 +239,9 @@ class ArcSample {
       }
       nlp::make_stationary(problem_, tied, rows, point_);
     }
-    const int held = held_on(arcs_.front());
+    const auto& corner = problem_.ends().corner;
+    const int held =
+        corner ? static_cast<int>(corner->limit) : held_on(arcs_.front());
     if (held < 0 || held >= layout.num_start_rows()) return;
     nlp::make_stationary(problem_, {layout.state(0, Beta)},
                          {layout.start_row(held)}, point_);
@@ -264,7 +266,7 @@ FittedPath sampled_path(const arcs::ArcPath& extremal, const FittedPath& nearby,
     ends.start = extremal.slope_at_start();
   }
   const LimitedTime problem(found.scene(), found.limits(), mesh_of(arcs, p),
-                            ends, held_limits(arcs));
+                            ends, held_limits(arcs, ends.corner));
   LimitedCurve curve(problem, ArcSample(extremal, arcs, problem).take());
   // A bead touches B whatever its slope there.
   if (sought && !found.scene().body.rolls()) ends.phi = end_slope(curve);
@@ -363,7 +365,7 @@ LimitedAnswer answer_from_extremal(const FittedPath& nearby,
   }
   const double error =
       std::abs(path.curve.transit_time() / extremal.transit_time - 1.0) +
-      extremal.error_estimate;
+      extremal.error_estimate + path.curve.misled_from_rest().cost;
   return {std::move(path), error, true};
 }
 

@@ -43,15 +43,15 @@ void check_slopes(const LimitedCurve& curve, Certificate& certificate) {
                              scene.end_slope.value_or(kUnmeasured)),
                     kSlope);
   }
+  if (const auto& corner = curve.problem().ends().corner) {
+    certificate.add("start_corner", std::abs(curve.off_corner()), kSlope,
+                    name(curve.problem().limits()[corner->limit].kind));
+    certificate.add("start_corner_sign",
+                    // In this order a NaN remains one.
+                    std::max(-curve.corner_multiplier(), 0.0), kSlope);
+  }
   if (curve.problem().pushed()) {
     if (curve.problem().free_contacts()) return;
-    if (const auto& corner = curve.problem().ends().corner) {
-      certificate.add("start_corner", std::abs(curve.off_corner()), kSlope,
-                      name(curve.problem().limits()[corner->limit].kind));
-      certificate.add("start_corner_sign",
-                      // In this order a NaN remains one.
-                      std::max(-curve.corner_multiplier(), 0.0), kSlope);
-    }
     certificate.add(
         "start_angle",
         std::abs(curve.start_slope() -

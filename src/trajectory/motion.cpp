@@ -79,6 +79,24 @@ double time_above(const Motion& motion, const TrajectoryPoint& from,
   return after ? to.t - t : t - from.t;
 }
 
+/// With the places between rows where R_t changes its sign: |R_t| has a kink
+/// there.
+std::vector<TrajectoryPoint> with_changes_of_friction(
+    const Motion& motion, const std::vector<TrajectoryPoint>& rows) {
+  std::vector<TrajectoryPoint> out;
+  for (const TrajectoryPoint& row : rows) {
+    if (!out.empty() && out.back().motion.R_t * row.motion.R_t < 0.0 &&
+        out.back().sigma < row.sigma) {
+      const TrajectoryPoint last = out.back();
+      out.push_back(motion.at(math::find_root(
+          [&](double sigma) { return motion.at(sigma).motion.R_t; }, last.sigma,
+          row.sigma, last.motion.R_t, row.motion.R_t)));
+    }
+    out.push_back(row);
+  }
+  return out;
+}
+
 /// Share of the transit time on which not |R_t| ≤ μ R_n, of a ball with what
 /// its walls press, R_n R/r_e, in place of R_n.
 ///
@@ -371,9 +389,10 @@ PathDiagnostics Motion::diagnose() const {
     out.max_abs_slope = std::max(out.max_abs_slope, std::abs(rows[i].beta));
     track.push_back(moving.contact);
   }
-  out.friction_above_0_3 = friction_share(*this, rows, 0.3);
-  out.friction_above_0_5 = friction_share(*this, rows, 0.5);
-  out.friction_above_1 = friction_share(*this, rows, 1.0);
+  const Rows of_friction = with_changes_of_friction(*this, rows);
+  out.friction_above_0_3 = friction_share(*this, of_friction, 0.3);
+  out.friction_above_0_5 = friction_share(*this, of_friction, 0.5);
+  out.friction_above_1 = friction_share(*this, of_friction, 1.0);
   for (std::size_t i = 0; i < kGripShares.size(); ++i) {
     const double rho = friction_angle(*this, rows, kGripShares[i]);
     out.least_grip[i] = {kGripShares[i], friction_coefficient(rho)};

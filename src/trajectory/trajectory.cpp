@@ -145,15 +145,10 @@ std::vector<double> LimitedMotion::joints() const {
   std::vector<double> joints;
   const LimitedTime& problem = curve_.problem();
   if (!problem.held()) return joints;
-  const int p = problem.mesh().degree;
-  for (int e = 0; e + 1 < problem.mesh().num_elements(); ++e) {
-    for (int i = 0; i < problem.layout().num_limits(); ++i) {
-      // First points: the last one before a boundary lies on it already.
-      if (problem.held_at(e * p, i) == problem.held_at((e + 1) * p, i))
-        continue;
-      joints.push_back(problem.mesh().sigma(e, 1.0));
-      break;
-    }
+  const auto& in_element = problem.held()->in_element;
+  for (std::size_t e = 0; e + 1 < in_element.size(); ++e) {
+    if (in_element[e] == in_element[e + 1]) continue;
+    joints.push_back(problem.mesh().sigma(static_cast<int>(e), 1.0));
   }
   return joints;
 }

@@ -40,6 +40,9 @@ LimitedCurve::LimitedCurve(std::shared_ptr<LimitedTime> problem,
       held_.push_back(set.constraints[brachisto::at(layout.limit(c, i))]);
     }
   }
+  for (int i = 0; i < layout.num_start_rows(); ++i) {
+    at_rest_.push_back(set.constraints[brachisto::at(layout.start_row(i))]);
+  }
   // At the end multipliers vanish with p_β, whether a limit is active or not.
   const int limits = layout.num_limits();
   for (int i = 0; i < limits; ++i) {
@@ -189,40 +192,6 @@ double LimitedCurve::start_slope() const {
   if (!problem_->pushed() || holds_control(0)) return start.beta;
   return minimising_slope(problem_->scene(), moving(start),
                           problem_->start_costates(point_->lambda), start.beta);
-}
-
-double LimitedCurve::off_corner() const {
-  const StartCorner& corner = *problem_->ends().corner;
-  const PathInequality& limit = problem_->limits()[corner.limit];
-  return value_of(limit, problem_->scene(), at(0, 0.0).state) -
-         bound_of(limit, corner.at);
-}
-
-double LimitedCurve::corner_multiplier() const {
-  using Jet = math::Jet2<double, 1>;
-  const StartCorner& corner = *problem_->ends().corner;
-  std::vector<nlp::Held> held;
-  for (int i = 0; i < problem_->layout().num_limits(); ++i) {
-    held.push_back(problem_->held_at(0, i));
-  }
-  const int control = held_of_control(held, problem_->limits());
-  LimitedTime problem = *problem_;
-  if (control < 0 || !problem.set_point(point_->x)) return std::nan("");
-  const auto by_slope = static_cast<double>(
-      nlp::lagrangian_gradient(problem, point_->lambda)[brachisto::at(
-          problem.layout().state(0, StateComponent::Beta))]);
-  const TurningPoint<double> start = at(0, 0.0).state;
-  const PathInequality& holds = problem.limits()[brachisto::at(control)];
-  const TurningPoint<Jet> turned = with_control_at(
-      holds, bound_of(holds, held[brachisto::at(control)]), problem.scene(),
-      TurningPoint<Jet>{Jet(start.x), Jet(start.z), Jet(start.theta),
-                        Jet(start.w), Jet::variable(start.beta, 0),
-                        Jet(start.q)});
-  const double rise =
-      value_of(problem.limits()[corner.limit], problem.scene(), turned)
-          .gradient[0];
-  const bool opens = (rise > 0.0) == (corner.at == nlp::Held::AtLower);
-  return opens ? by_slope : -by_slope;
 }
 
 TurningPoint<double> LimitedCurve::state_at(int element, double t) const {

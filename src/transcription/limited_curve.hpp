@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -82,12 +83,29 @@ class LimitedCurve {
   /// that the costates there ask for, NaN if there is none; otherwise the one
   /// the path begins with [rad].
   [[nodiscard]] double start_slope() const;
-  /// What the corner at A is off its bound, the control being that of the path.
+  /// What the corner at A is off its bound, the control of a push being that of
+  /// the path.
   /// \pre the ends have a corner, as for the next one
   [[nodiscard]] double off_corner() const;
   /// What T grows by with the slope at A as that turns away from the bound of
-  /// the corner, what holds the control going on to: not negative in a minimum.
+  /// the corner, what holds the control going on to, or from rest with that
+  /// bound: not negative in a minimum.
   [[nodiscard]] double corner_multiplier() const;
+  /// The one at A from rest, where a limit on forces holds there and another
+  /// one turns the path behind it: at an inequality, or what exceeds its bound
+  /// by more than `exceeded` where those that hold are equations.
+  [[nodiscard]] std::optional<StartCorner> corner_at_rest(
+      double exceeded) const;
+  /// Next to rest p_β, which a corner gives a value there, may ask for the
+  /// opposite of the control that is held.
+  struct Misled {
+    double until = 0.0;  ///< σ
+    /// What T may change by, as a share, if the corner's limit held the control
+    /// up to there: with its change Δq, ∫ |p_β Δq| du/T; with smooth contacts,
+    /// where T is not stationary and they go with the slope, ∫ |Δq| du.
+    double cost = 0.0;
+  };
+  [[nodiscard]] Misled misled_from_rest() const;
   /// At the place t ∈ [0, 1] of an element: the state alone, and all.
   [[nodiscard]] TurningPoint<double> state_at(int element, double t) const;
   [[nodiscard]] LimitedPoint at(int element, double t) const;
@@ -107,7 +125,8 @@ class LimitedCurve {
   std::shared_ptr<LimitedTime> problem_;
   std::shared_ptr<const PrimalDual> point_;
   double transit_time_ = 0.0;
-  std::vector<nlp::Held> held_;  ///< inequalities, by point and limit
+  std::vector<nlp::Held> held_;     ///< inequalities, by point and limit
+  std::vector<nlp::Held> at_rest_;  ///< those there, by limit on forces
 };
 
 /// States, controls, costates and multipliers given as a function of the place

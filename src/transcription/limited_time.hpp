@@ -24,8 +24,9 @@
 
 namespace brachisto {
 
-/// A limit that is reached at A, where a push begins on another one that holds
-/// the control: the slope there lets both hold.
+/// A limit that is reached at A alone, where another one holds the control from
+/// there on: the slope there lets both hold. From rest it is one on forces, and
+/// the other one is not.
 struct StartCorner {
   std::size_t limit;
   nlp::Held at;

@@ -73,7 +73,7 @@ FAULTS = [
     # thresholds
     ("residual of the certificate", "double kkt_residual = 1e-9;", "double kkt_residual = 1e-16;"),
     ("interior of the certificate", "double interior_factor = 100.0;", "double interior_factor = 1.0;"),
-    ("friction", "friction_share(*this, rows, 0.3)", "friction_share(*this, rows, 0.31)"),
+    ("friction", "friction_share(*this, of_friction, 0.3)", "friction_share(*this, of_friction, 0.31)"),
     ("deepest nesting", "kMaxNesting = 32", "kMaxNesting = 2"),
     ("least tolerance of T", "kSmallestTolerance = 1e-13", "kSmallestTolerance = 1e-9"),
     ("largest number of points", "kMostPoints = 100'000", "kMostPoints = 3"),

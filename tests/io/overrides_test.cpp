@@ -64,6 +64,18 @@ TEST(Overrides, NoneIsLostBehindAValue) {
             "value, and no keys of its own");
 }
 
+TEST(Overrides, OfAListNameAllOfIt) {
+  const std::string list =
+      "scene.limits={clear_of: [{disc: {x: 1, z: 2, radius: 0.1}}]}";
+  for (const std::string key : {"foo", "disc.radius", "0.disc.radius"}) {
+    const std::string change = "scene.limits.clear_of." + key;
+    EXPECT_EQ(errors(kBead, {list, change + "=0.2"}),
+              "--set " + change + "=0.2: " + change +
+                  ": scene.limits.clear_of is a list; expected one for all of "
+                  "it, as in scene.limits.clear_of=[…]");
+  }
+}
+
 TEST(Overrides, ErrorsNameTheOverrideBehindThoseOfTheFile) {
   EXPECT_EQ(errors(kBead + "q: 1\n", {"solver.guess=strait", "scene.finish.H=0",
                                       "solver.limits.second=3"}),

@@ -95,6 +95,24 @@ TEST(HiddenMinimaBelow, AreThoseThatNoSampleShows) {
   EXPECT_NEAR(found[0].at, 3.0 * std::numbers::pi, 10.0 * kPlace);
 }
 
+TEST(MinimaBelow, LieInTheLastIntervalToo) {
+  // Both last samples of x² − 2 x lie above its vertex, the last one less so.
+  const auto f = [](double x) { return x * (x - 2.0); };
+  const std::vector<Sample> samples = sample(0.0, 1.3, 2, f);
+  ASSERT_LT(samples.back().value, samples[1].value);
+
+  for (const double bound : {-0.999, samples.back().value}) {
+    const std::vector<Sample> found = minima_below(bound, samples, f);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_NEAR(found[0].at, 1.0, kPlace);
+    EXPECT_NEAR(found[0].value, -1.0, 1e-14);
+  }
+  EXPECT_EQ(hidden_minima_below(-0.999, samples, f).size(), 1u);
+  EXPECT_TRUE(minima_below(-1.1, samples, f).empty());
+  // The end is none, however little f falls towards it.
+  EXPECT_TRUE(minima_below(0.0, sample(0.0, 0.99, 2, f), f).empty());
+}
+
 TEST(MinimaBelow, TheEndsAreNoMinimaAndMayBeInfinite) {
   const auto f = [](double x) { return 1.0 / x + x; };
   std::vector<Sample> samples = sample(0.0, 0.9, 9, f);

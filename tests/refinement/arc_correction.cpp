@@ -41,7 +41,7 @@ class AlongAFloor : public ::testing::Test {
     const LimitedTime& before = path.problem();
     LimitedTime problem(before.scene(), before.limits(),
                         mesh_of(arcs, before.mesh().degree), before.ends(),
-                        held_limits(arcs));
+                        held_limits(arcs, {}));
     PrimalDual point = prolong(path, problem);
     const int p = problem.mesh().degree, first = arcs[0].elements();
     for (int e = first; e < first + arcs[1].elements(); ++e) {

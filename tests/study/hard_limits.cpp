@@ -216,6 +216,60 @@ TEST(HardLimits, WhatFallsSlowlyNextToRestIsNotThePaths) {
   EXPECT_LE(*solution.estimated_error, 1e-10);
 }
 
+/// Where the static cone ends next to the slope that a valley bound asks for,
+/// friction holds for less and less of the way, for 12 nm at last, and from
+/// 0.7218 on not at all. T is a smooth function of its coefficient up to there:
+/// of equal steps of 5e-4 the third difference is 1e-10 of T'''.
+TEST(HardLimits, AnArcFromRestMayBeAsShortAsItLikes) {
+  const auto tau_at = [](double friction) {
+    PathLimits limits;
+    limits.friction = friction;
+    limits.curvature = {2.7, 4.0, CurvatureLimit::Of::Centre};
+    const Solution solution =
+        confirmed(cylinder_scene(1.0 / 3.0, 2.0 / 3.0, 0.0, 0.5, 3.0, limits));
+    EXPECT_LE(*solution.estimated_error, 1e-10) << friction;
+    EXPECT_LE(solution.extremal->difference, 1e-11) << friction;
+    return solution.motion()->tau();
+  };
+  constexpr double kThird = 1e-9;  // T''' is some 1 as T'' is 0.08
+  const double third = tau_at(0.7215) - 3.0 * tau_at(0.7210) +
+                       3.0 * tau_at(0.7205) - tau_at(0.72);
+  EXPECT_NEAR(third, 0.0, kThird);
+  // The border of the static cone alone holds, between the last one and what is
+  // not bound.
+  const double last = tau_at(0.72179);
+  EXPECT_LT(last, tau_at(0.7215));
+  EXPECT_GT(last, tau_at(0.75));
+}
+
+/// The border of the static cone holds at A alone where what it asks for is
+/// what the bound of valleys gives: with optimal contacts, or a cost of 1e-13.
+TEST(HardLimits, ABorderMayHoldAtRestAlone) {
+  const auto scene_with = [](Contact contact, double friction) {
+    PathLimits limits;
+    limits.friction = friction;
+    limits.curvature = {2.7, 4.0, CurvatureLimit::Of::Centre};
+    Scene scene = cylinder_scene(1.0 / 3.0, 2.0 / 3.0, 0.0, 0.5, 3.0, limits);
+    scene.contact = contact;
+    return scene;
+  };
+  for (const auto& [contact, friction] :
+       {std::pair{Contact::Optimal, 1.07}, {Contact::Centre, 0.6265}}) {
+    const Solution solution = confirmed(scene_with(contact, friction));
+    EXPECT_LE(*solution.estimated_error, 1e-10);
+    EXPECT_LE(solution.extremal->difference, 1e-11);
+    EXPECT_TRUE(solution.certificate.find("start_corner_sign"));
+    // Its price is the slope of whole solves, for T is one smooth function.
+    constexpr double kStep = 1e-4;
+    const auto tau_at = [&](double mu) {
+      return confirmed(scene_with(contact, mu)).motion()->tau();
+    };
+    const double slope =
+        (tau_at(friction + kStep) - tau_at(friction - kStep)) / (2.0 * kStep);
+    EXPECT_NEAR(*solution.limits.front().price, slope, 1e-3 * std::abs(slope));
+  }
+}
+
 /// Between a valley and a hump the control jumps, and the body lifts off behind
 /// the jump: the indirect method, which knows the arcs, has R_n = −0.265. A
 /// mesh that knows none goes over the jump, with 0.024 at its points.

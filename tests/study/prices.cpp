@@ -269,6 +269,23 @@ INSTANTIATE_TEST_SUITE_P(Bounds, OptimalPrice,
                          ::testing::ValuesIn(optimal_bounds()),
                          [](const auto& row) { return row.param.test; });
 
+/// A bead comes down half a cycloid and stays on the floor up to B. On one that
+/// is lower by df it rises to B at the end, which costs no more than df^(3/2):
+/// τ = π √f/2 + (L − π f/2)/√f, of which f = H = 1 leaves π/4 − L/2.
+TEST(PriceOfAFloor, ThatEndsAtBIsInClosedForm) {
+  for (const double L : {3.0, 5.0}) {
+    Scene scene;
+    scene.body = Body::bead();
+    scene.L = L;
+    scene.H = 1.0;
+    const Solution solution = solve(under(scene, floor_at(1.0)));
+    ASSERT_TRUE(solution.verified()) << solution.message;
+    const LimitOnPath floor = limit_named(solution, "floor");
+    EXPECT_NEAR(*floor.price, 0.25 * kPi - 0.5 * L, 1e-8);
+    EXPECT_NEAR(*floor.price_at_fixed_contacts, 0.25 * kPi - 0.5 * L, 1e-8);
+  }
+}
+
 /// No path next to it holds it either.
 TEST(PriceOfASlackLimit, IsZero) {
   PathLimits limits = least_force(0.1);

@@ -444,6 +444,23 @@ INSTANTIATE_TEST_SUITE_P(
     name_of);
 
 /// T = √(1 + k) U along one cycloid for all k.
+/// On the floor up to B, which is given: where B alone is lower nothing but the
+/// last rise of the bead is spared, and T stays, dτ/dH = −τ/(2H). Farther by dL
+/// it goes on at √(2gH): dτ/dL = 1.
+TEST(Sensitivities, OfABeadOnAFloorUpToBAreInClosedForm) {
+  Scene scene;
+  scene.body = Body::bead();
+  scene.L = 5.0;
+  scene.H = 1.0;
+  scene.limits.floor = 1.0;
+  const Solution solution = solved(scene);
+  const auto found = sensitivities(solution);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->by[SceneParameter::H].tau, -0.5 * solution.motion()->tau(),
+              1e-8);
+  EXPECT_NEAR(found->by[SceneParameter::L].tau, 1.0, 1e-8);
+}
+
 TEST(Sensitivities, OfAUniformCylinderAreThoseOfTheCycloid) {
   constexpr double kRounding = 1e-9;
   const Scene scene = scene_between(Body::cylinder(1.0 / 3.0, 0.0, 0.0, 0.5));

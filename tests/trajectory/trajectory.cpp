@@ -509,6 +509,39 @@ TEST(Diagnostics, AreThoseOfThePathAndNotOfTheMesh) {
   }
 }
 
+/// Friction of the first body changes its sign just where it dips below μ R_n,
+/// and the second one's curvature is greatest next to B, between two rows of a
+/// coarse mesh. Counted on a table of 1e5 rows, each for its own step.
+TEST(Diagnostics, SeeWhatLiesBetweenTheRowsOfACoarseMesh) {
+  Scene turning, ending;
+  turning.body = Body::cylinder(0.8918315630316677, 0.8615616208020894,
+                                -0.37217047577666307, 0.024610221569112575);
+  turning.L = 2.3141696141525556;
+  turning.H = 3.9072268787366213;
+  ending.body = Body::cylinder(0.3495, 0.1223, 0.4412, 0.5855);
+  ending.L = 2.497;
+  ending.H = 1.0;
+  for (const Scene& scene : {turning, ending}) {
+    const Solution solution = solve(scene);
+    ASSERT_TRUE(solution.verified());
+    constexpr int kRows = 100000;
+    double above = 0.0, flattest = -1e300, last = 0.0;
+    for (int i = 1; i <= kRows; ++i) {
+      const TrajectoryPoint at = solution.motion()->at(1.0 * i / kRows);
+      if (std::abs(at.motion.R_t) > 0.3 * at.motion.R_n) above += at.t - last;
+      last = at.t;
+      flattest = std::max(flattest, at.motion.kappa_b);
+    }
+
+    const PathDiagnostics& path = *solution.diagnostics;
+    // Four changes of the sign, each found to a step.
+    EXPECT_NEAR(path.friction_above_0_3, above / last, 4.0 * 2.0 / kRows);
+    if (path.min_fold_margin.value > 0.0) {
+      EXPECT_NEAR(path.max_curvature.value, flattest, 1e-6);
+    }
+  }
+}
+
 TEST(Diagnostics, TheNormalForceRisesFromItsLimitAtTheStart) {
   const Trajectory path = fine_path(reference("reference_case"));
   const PathDiagnostics found = path.diagnose();

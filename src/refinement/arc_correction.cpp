@@ -185,9 +185,10 @@ class Correction {
     std::optional<StartCorner> corner = curve_.problem().ends().corner;
     // Arcs that are worth less may be too short to be found: the estimated
     // error has it.
-    constexpr double kCost = 5e-11;
+    constexpr double kCost = 5e-13, kWithSmoothContacts = 5e-11;
+    const bool smooth = curve_.problem().scene().contact == Contact::Smooth;
     const auto [until, cost] = curve_.misled_from_rest();
-    const bool misled = !(cost <= kCost);
+    const bool misled = !(cost <= (smooth ? kWithSmoothContacts : kCost));
     bool begins = false;  // the corner
     if (corner && !(curve_.corner_multiplier() >= 0.0)) {
       corner.reset();

@@ -443,7 +443,6 @@ INSTANTIATE_TEST_SUITE_P(
                        ::testing::ValuesIn(kParameters)),
     name_of);
 
-/// T = √(1 + k) U along one cycloid for all k.
 /// On the floor up to B, which is given: where B alone is lower nothing but the
 /// last rise of the bead is spared, and T stays, dτ/dH = −τ/(2H). Farther by dL
 /// it goes on at √(2gH): dτ/dL = 1.
@@ -461,6 +460,7 @@ TEST(Sensitivities, OfABeadOnAFloorUpToBAreInClosedForm) {
   EXPECT_NEAR(found->by[SceneParameter::L].tau, 1.0, 1e-8);
 }
 
+/// T = √(1 + k) U along one cycloid for all k.
 TEST(Sensitivities, OfAUniformCylinderAreThoseOfTheCycloid) {
   constexpr double kRounding = 1e-9;
   const Scene scene = scene_between(Body::cylinder(1.0 / 3.0, 0.0, 0.0, 0.5));

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
-#include <tuple>
 #include <vector>
 
 #include "brachisto/study/solve.hpp"
@@ -39,12 +38,9 @@ TEST(HeldPath, IsThatOfTheAnswer) {
   bead.H = 1.0;
   Scene bent = rolling_scene(2.0 / 3.0, 0.0);  // at A by a bound on valleys
   bent.limits.curvature = {3.0, 3.0, CurvatureLimit::Of::Centre};
-  const std::vector<std::tuple<Scene, double, double>> cases{
-      {bead, 1e-10, 1e-9},
-      {rolling_scene(2.0 / 3.0, 0.0), 1e-10, 1e-9},
-      {rolling_scene(2.0 / 3.0, 1.0), 1e-10, 1e-9},
-      {bent, 1e-10, 1e-9}};
-  for (const auto& [scene, of_T, of_length] : cases) {
+  constexpr double kOfT = 1e-10, kOfLength = 1e-9;
+  for (const Scene& scene : {bead, rolling_scene(2.0 / 3.0, 0.0),
+                             rolling_scene(2.0 / 3.0, 1.0), bent}) {
     const Solution answer = solve(scene);
     ASSERT_TRUE(answer.verified());
 
@@ -53,9 +49,9 @@ TEST(HeldPath, IsThatOfTheAnswer) {
 
     ASSERT_FALSE(held.stall());
     EXPECT_NEAR(held.transit_time() / answer.motion()->transit_time(), 1.0,
-                of_T);
+                kOfT);
     EXPECT_NEAR(held.centre_path_length(),
-                answer.motion()->centre_path_length(), of_length);
+                answer.motion()->centre_path_length(), kOfLength);
     // Forces go with the curvature, which is of the third order: slopes change
     // within a thirtieth of the way, in 30 steps. Where arcs meet it jumps, and
     // a spline that does not would overshoot by a part of the jump.

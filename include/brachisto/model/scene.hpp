@@ -89,7 +89,7 @@ struct GivenPath {
     CircularArc,
     Cycloid,
     Points,
-    Slopes,  ///< of a centre's path; not in files
+    Slopes,  ///< of the curve from its start on; not in files
   };
 
   Curve curve = Curve::Centre;

@@ -137,8 +137,9 @@ Verb sweep_verb() {
       return error.what();
     }
   }};
-  const TextCheck memory = number("from 0 to 1e12", [](double mebibytes) {
-    return mebibytes >= 0.0 && mebibytes <= 1e12;
+  // The program alone takes some 40 MiB.
+  const TextCheck memory = number("0 or from 64 to 1e12", [](double mebibytes) {
+    return mebibytes == 0.0 || (mebibytes >= 64.0 && mebibytes <= 1e12);
   });
   return {
       .name = "sweep",

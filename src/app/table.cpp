@@ -46,28 +46,33 @@ struct SolvedScene {
 };
 
 /// Each in a process of its own, one after the other, by the method that its
-/// file asks for. A file with mistakes is one that is refused.
+/// file asks for. All files are read before the first is solved. One with
+/// mistakes is refused.
 std::vector<SolvedScene> solve_scenes(const TableFlags& flags) {
   const std::atomic<int>& signal = catch_signals();
   const auto announce = progress_lines(flags.quiet);
   std::ranges::for_each(flags.files, comparison::check_named);
   std::vector<SolvedScene> out;
+  std::vector<SolveOptions> options(flags.files.size());
   for (const std::string& file : flags.files) {
-    announce(
-        fmt::format("{} of {}: {}", out.size() + 1, flags.files.size(), file));
-    Measurement run;
+    Measurement& run = out.emplace_back(file, Measurement{}).run;
     try {
-      run = comparison::measure(
-          {.file = file,
-           .overrides = flags.overrides,
-           .options = io::read_problem_file(file, flags.overrides).options,
-           .seconds = flags.seconds},
-          &signal);
+      options[out.size() - 1] =
+          io::read_problem_file(file, flags.overrides).options;
     } catch (const io::InputError& error) {
       run.outcome = Measurement::Outcome::Refused;
       run.cause = io::to_string(error.diagnostics().front());
     }
-    out.push_back({file, std::move(run)});
+  }
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    auto& [file, run] = out[i];
+    announce(fmt::format("{} of {}: {}", i + 1, out.size(), file));
+    if (run.outcome == Measurement::Outcome::Refused) continue;
+    run = comparison::measure({.file = file,
+                               .overrides = flags.overrides,
+                               .options = options[i],
+                               .seconds = flags.seconds},
+                              &signal);
   }
   return out;
 }

@@ -147,6 +147,16 @@ void ClosedTimes::use(const SolveOptions& options) {
   options_ = of_inner_solves(options, scene_);
 }
 
+std::shared_ptr<const Neighbour> ClosedTimes::on_a_mesh(
+    const Solution& from_lanes) {
+  constexpr double kSame = 1e-6;  // relative; on the way few digits are asked
+  const Solution own = solved(from_lanes.scene.body, nullptr).solution;
+  const bool same =
+      is_extremal(own) &&
+      std::abs(own.motion()->tau() / from_lanes.motion()->tau() - 1.0) <= kSame;
+  return same ? neighbour_of(own) : nullptr;
+}
+
 bool ClosedTimes::move_to(const Traits& traits, const Traits& wanted) {
   const Scene scene =
       scene_of(traits, held_            ? held_->scene.body
@@ -161,9 +171,10 @@ bool ClosedTimes::move_to(const Traits& traits, const Traits& wanted) {
     side_by_side = in_lanes({scene}, held_in_lanes_.get()).front();
   }
   const bool as_sought = side_by_side.has_value();
-  if (!as_sought && !held_ && held_in_lanes_) {
+  if (!as_sought && held_in_lanes_ && !held_ && !held_alone_) {
     // Beyond what lanes can it is followed from here, as any other.
-    held_ = solved(held_in_lanes_->scene.body, nullptr).solution.as_neighbour();
+    held_ = on_a_mesh(*held_in_lanes_);
+    held_alone_ = held_ == nullptr;
   }
   auto [solution, followed] = as_sought ? Solved{std::move(*side_by_side)}
                                         : solved(scene.body, held_.get());
@@ -200,9 +211,10 @@ bool ClosedTimes::move_to(const Traits& traits, const Traits& wanted) {
 void ClosedTimes::hold_on() {
   if (follow_ != Follow::Neighbours) return;
   held_followed_ = followed_;
-  held_ = solution_.as_neighbour();
+  held_ = neighbour_of(solution_);
   held_in_lanes_ =
       held_ ? nullptr : std::make_shared<const Solution>(solution_);
+  held_alone_ = false;
 }
 
 std::vector<std::optional<Margins>> ClosedTimes::margins_at(
@@ -212,8 +224,14 @@ std::vector<std::optional<Margins>> ClosedTimes::margins_at(
     scenes.push_back(scene_of(traits, solution_.scene.body));
   }
   std::vector<std::optional<Solution>> found(places.size());
-  const std::shared_ptr<const Neighbour> beside = solution_.as_neighbour();
-  if (!beside) found = in_lanes(scenes, &solution_);
+  std::shared_ptr<const Neighbour> beside = neighbour_of(solution_);
+  const bool from_lanes = !beside;
+  if (from_lanes) found = in_lanes(scenes, &solution_);
+  if (from_lanes && std::ranges::any_of(found, [](const auto& one) {
+        return !one.has_value();
+      })) {
+    beside = on_a_mesh(solution_);
+  }
   std::vector<std::optional<Margins>> out(places.size());
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (!validate(scenes[i]).empty()) continue;

@@ -93,6 +93,7 @@ class ClosedTimes {
   void begin(Follow follow) {
     follow_ = follow;
     held_.reset();
+    held_alone_ = false;
     if (follow == Follow::Principal) held_in_lanes_.reset();
     followed_ = held_followed_ = false;
   }
@@ -130,6 +131,10 @@ class ClosedTimes {
   /// In lanes, as far as they can.
   [[nodiscard]] std::vector<std::optional<Solution>> in_lanes(
       const std::vector<Scene>& scenes, const Solution* beside);
+  /// The same track on a mesh, to follow others from; null if the body's own
+  /// solve comes to another one.
+  [[nodiscard]] std::shared_ptr<const Neighbour> on_a_mesh(
+      const Solution& from_lanes);
   [[nodiscard]] Scene scene_of(const Traits& traits, const Body& like) const;
   /// The margins of bodies next to this one; nothing where there are none.
   [[nodiscard]] std::vector<std::optional<Margins>> margins_at(
@@ -148,6 +153,7 @@ class ClosedTimes {
   std::shared_ptr<const Neighbour> held_;
   std::shared_ptr<const Solution> held_in_lanes_;
   bool followed_ = false, held_followed_ = false;
+  bool held_alone_ = false;  ///< what lanes found is not found on a mesh
   std::string refusal_;
   int solves_ = 0;
   double cpu_seconds_ = 0.0;

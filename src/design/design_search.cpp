@@ -16,6 +16,7 @@
 #include "design/design_problem.hpp"
 #include "design/design_space.hpp"
 #include "math/portable_random.hpp"
+#include "nlp/active_set.hpp"
 #include "solvers/few_variables.hpp"
 #include "trajectory/grip.hpp"
 
@@ -42,6 +43,26 @@ Eigen::VectorXd as_coordinates(const std::vector<double>& x) {
                                            static_cast<Eigen::Index>(x.size()));
 }
 
+/// The multipliers of what leans on its bound at a point of an interior-point
+/// method, without those of all the rest. \pre the problem has been moved there
+PrimalDual with_held_alone(nlp::Problem& problem, PrimalDual point) {
+  const nlp::ActiveSet active = nlp::active_set(problem, point);
+  for (std::size_t i = 0; i < point.lambda.size(); ++i) {
+    const double towards =
+        active.constraints[i] == nlp::Held::AtLower   ? -point.lambda[i]
+        : active.constraints[i] == nlp::Held::AtUpper ? point.lambda[i]
+                                                      : 0.0;
+    if (!(towards > 0.0)) point.lambda[i] = 0.0;
+  }
+  point.z_lower.assign(point.x.size(), 0.0);
+  point.z_upper.assign(point.x.size(), 0.0);
+  nlp::set_bound_multipliers(problem, active, point);
+  for (std::vector<double>* const z : {&point.z_lower, &point.z_upper}) {
+    for (double& value : *z) value = std::max(0.0, value);
+  }
+  return point;
+}
+
 /// What a body is found to be when its track is solved anew, from the cycloid.
 enum class Judged { Verified, OnAnotherBranch, Unverified };
 
@@ -56,7 +77,6 @@ class Searcher {
         interrupt_(interrupt),
         times_(scene, on_the_way(options), plan.max_grip, interrupt) {
     ipopt_.tolerance = kTolerance;
-    ipopt_.max_iterations = kMostIterations;
     ipopt_.linear_solver = LinearSolver::Mumps;
     ipopt_.stop = StopCondition(options.limits.seconds, interrupt);
   }
@@ -84,6 +104,8 @@ class Searcher {
   // Newton's method brings the last digits.
   static constexpr double kTolerance = 1e-6;
   static constexpr int kMostIterations = 100;
+  // Where τ jumps more of them only go to and fro.
+  static constexpr int kMostOverJumps = 50;
   // Errors of gradients over it, and its square, are below 1e-5.
   static constexpr double kStepOfHessian = 1e-3;
   static constexpr int kMostStarts = 3;
@@ -180,6 +202,8 @@ class Searcher {
     try {
       times_.begin(follow);
       times_.use(on_the_way(options_));
+      ipopt_.max_iterations =
+          follow == Follow::Principal ? kMostOverJumps : kMostIterations;
       const SolverResult found =
           solve_with_ipopt(problem, {{start.begin(), start.end()}, {}}, ipopt_);
       out_.message = found.message;
@@ -237,10 +261,10 @@ class Searcher {
     }
     DesignMinimum minimum;
     minimum.stationary = true;
-    if (refined.converged) {
-      minimum.bounds_active = problem.bounds_that_hold(refined.point);
-      minimum.curvatures = refined.curvatures;
-    }
+    minimum.bounds_active = problem.bounds_that_hold(
+        refined.converged ? refined.point
+                          : with_held_alone(problem, found.point));
+    if (refined.converged) minimum.curvatures = refined.curvatures;
     return take(as_coordinates(point.x), std::move(minimum));
   }
 

@@ -12,6 +12,9 @@ namespace {
 
 /// A centre of mass so near the axis is on it: what is left is rounding.
 constexpr double kOnAxis = 1e-12;
+/// A body so little beyond the rim is on it: Newton's steps end there by the
+/// squares of their lengths.
+constexpr double kOnRim = 1e-9;
 
 }  // namespace
 
@@ -35,6 +38,15 @@ Body body_of(const Traits& traits, const Body& like) {
   }
   body.k = traits[2];
   body.radius = traits[3];
+  const double beyond = body.k - largest_k(body.eta_m);
+  if (beyond > 0.0 && beyond < kOnRim) {
+    // What a design holds is as in the other body.
+    if (body.k != like.k) {
+      body.k = largest_k(body.eta_m);
+    } else {
+      body.eta_m = std::sqrt(1.0 - body.k);
+    }
+  }
   return body;
 }
 

@@ -34,7 +34,9 @@ class OffsetSpace final : public DesignSpace {
     const bool eta = plan.is_free(BodyKey::EtaM);
     const bool theta = plan.is_free(BodyKey::ThetaM);
     if (eta && theta) {
-      const double largest = plan.bounds_of(BodyKey::EtaM).upper;
+      // Its row bounds the offset; a box that touched it would hold twice.
+      constexpr double kBeyond = 1.1;
+      const double largest = kBeyond * plan.bounds_of(BodyKey::EtaM).upper;
       add(Axis::X, "eta_m cos theta_m", {-largest, largest});
       add(Axis::Z, "eta_m sin theta_m", {-largest, largest});
       add_offset_rows();

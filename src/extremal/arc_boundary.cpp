@@ -3,7 +3,9 @@
 
 #include "extremal/arc_boundary.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "brachisto/math/jet.hpp"
 #include "model/contact.hpp"
@@ -39,6 +41,13 @@ Departure::Departure(const Scene& natural, const std::optional<HeldLimit>& held,
   if (!held) {
     if (has_optimal_ends(scene_))
       refusal_ = "it leaves an optimal contact freely";
+    const std::vector<PathInequality> limits =
+        inequalities(scene_.body, scene_.limits);
+    if (std::ranges::any_of(limits, &PathInequality::bounds_force)) {
+      slope_ = corner_ && natural.world.start_speed == 0.0
+                   ? slope_at_rest(scene_, *corner_, near)
+                   : known_start_slope(scene_, limits);
+    }
   } else if (held->limit.bounds_force() && natural.world.start_speed == 0.0) {
     kind_ = Kind::Forced;
     slope_ = slope_at_rest(scene_, *held, near);

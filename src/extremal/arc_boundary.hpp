@@ -46,6 +46,17 @@ class Departure {
   /// States after that much or less, and no costates.
   [[nodiscard]] State left_rest(double u = kLeftRest) const;
 
+  /// The slope with which A is touched. Where limits on forces hold at rest
+  /// alone it is not that of a Free start: between both lies an arc along the
+  /// limit, too short to tell.
+  template <class Scalar>
+  [[nodiscard]] Scalar contact_slope(const Values<Scalar>& v) const {
+    return kind_ == Kind::Free && slope_ ? Scalar(*slope_) : v[kBeta];
+  }
+  /// Whether the contact keeps a limit at rest, whatever the slope behind it.
+  [[nodiscard]] bool contact_keeps(const PathInequality& limit) const {
+    return kind_ == Kind::Free && slope_ && limit.bounds_force();
+  }
   /// What vanishes at the first node: states that are known, and p_β where β is
   /// a state that is not.
   template <class Scalar>
@@ -89,12 +100,13 @@ template <class Scalar>
 /// P − r (sin β, −cos β).
 template <class Scalar>
 [[nodiscard]] std::vector<Scalar> off_place(const Scene& scene, Point place,
-                                            const Values<Scalar>& v) {
+                                            const Values<Scalar>& v,
+                                            const Scalar& beta) {
   using std::cos;
   using std::sin;
   const Scalar r(contact_radius(scene));
-  return {v[kX] - sin(v[kBeta]) * r - Scalar(place.x),
-          v[kZ] + cos(v[kBeta]) * r - Scalar(place.z)};
+  return {v[kX] - sin(beta) * r - Scalar(place.x),
+          v[kZ] + cos(beta) * r - Scalar(place.z)};
 }
 
 template <class Scalar>
@@ -122,7 +134,7 @@ std::vector<Scalar> Departure::conditions(const Values<Scalar>& v) const {
     return out;
   }
   const Body& body = scene_.body;
-  out = off_place(scene_, {0.0, 0.0}, v);
+  out = off_place(scene_, {0.0, 0.0}, v, contact_slope(v));
   out.push_back(v[kTheta] - Scalar(body.theta_m));
   out.push_back(v[kW] - pushed_w(scene_, v[kBeta]));
   if (kind_ == Kind::Free) return out;
@@ -158,7 +170,8 @@ template <class Scalar>
 [[nodiscard]] std::vector<Scalar> end_conditions(const Scene& natural,
                                                  const Values<Scalar>& v,
                                                  bool turns) {
-  std::vector<Scalar> out = off_place(natural, {natural.L, natural.H}, v);
+  std::vector<Scalar> out =
+      off_place(natural, {natural.L, natural.H}, v, v[kBeta]);
   out.push_back(v[kPTheta]);
   out.push_back(v[kPW]);
   if (natural.contact == Contact::EndSlope) {

@@ -31,19 +31,28 @@ class ArcPath {
   };
 
   ArcPath() = default;
-  /// \param forced  how the first arc leaves rest if that is along a limit on
-  ///                forces; of its costates nothing is known then
-  ArcPath(std::vector<Stretch> arcs, std::optional<Departure> forced);
+  /// \param leave  how the first arc leaves A, nothing: freely; of the costates
+  ///               of one that is Forced nothing is known
+  ArcPath(std::vector<Stretch> arcs, std::optional<Departure> leave);
 
   [[nodiscard]] bool empty() const { return arcs_.empty(); }
   [[nodiscard]] const std::vector<Stretch>& arcs() const { return arcs_; }
   /// Whether the costates of an arc mean nothing.
   [[nodiscard]] bool blind(std::size_t arc) const {
-    return arc == 0 && forced_.has_value();
+    return arc == 0 && leave_ && leave_->kind() == Departure::Kind::Forced;
   }
   /// U.
   [[nodiscard]] double rolling_time() const;
-  [[nodiscard]] double slope_at_start() const { return at(0, 0.0).y[kBeta]; }
+  /// With which A is touched.
+  [[nodiscard]] double slope_at_start() const {
+    const State start = at(0, 0.0).y;
+    return leave_ ? leave_->contact_slope(start) : start[kBeta];
+  }
+  /// By how much the first slope behind A differs from it: by what an arc turns
+  /// that is too short to tell.
+  [[nodiscard]] double kink_at_start() const {
+    return slope_at_start() - at(0, 0.0).y[kBeta];
+  }
   [[nodiscard]] double slope_at_end() const {
     return at(arcs_.size() - 1, arcs_.back().knots.back().u).y[kBeta];
   }
@@ -60,7 +69,7 @@ class ArcPath {
 
  private:
   std::vector<Stretch> arcs_;
-  std::optional<Departure> forced_;
+  std::optional<Departure> leave_;
 };
 
 }  // namespace brachisto::arcs

@@ -288,7 +288,7 @@ bool ArcSystem::evaluate(const Point& point, const ocp::StepControl& control,
         if (!flow.find(y, steer, first)) return false;
         if (a == 0) {
           for (const Jet& row : leave_.conditions(first.y)) rows.add(row);
-          out.slope_at_A = first.y[kBeta];
+          out.slope_at_A = leave_.contact_slope(first.y);
         }
         if (!blind(a)) junction_rows(rows, a, y, first);
         ArcPoint here;
@@ -399,7 +399,7 @@ ArcPath ArcSystem::path(const Point& point,
       before.jump = first.jump;
     }
   }
-  return {std::move(arcs), blind(0) ? std::optional(leave_) : std::nullopt};
+  return {std::move(arcs), leave_};
 }
 
 ocp::ChainVector moved(const ocp::ChainVector& point, double factor,

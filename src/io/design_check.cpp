@@ -121,27 +121,33 @@ void check_directions(const Check& check) {
   }
 }
 
-/// A body has k ≤ 1 − η_m².
+/// A body has k ≤ 1 − η_m², and more than one η_m or k has to be left.
 void check_rim(const Check& check) {
   const DesignPlan& plan = check.problem.design;
-  const auto least = [&](BodyKey key, double of_body) {
-    return plan.is_free(key) ? plan.bounds_of(key).lower : of_body;
-  };
+  const bool any_eta = plan.is_free(BodyKey::EtaM);
+  const bool any_k = plan.is_free(BodyKey::K);
+  if (!any_eta && !any_k) return;
   const Body& body = check.problem.scene.body;
-  const double eta_m = least(BodyKey::EtaM, body.eta_m);
-  const double k = least(BodyKey::K, body.k);
+  const double eta_m =
+      any_eta ? plan.bounds_of(BodyKey::EtaM).lower : body.eta_m;
+  const double k = any_k ? plan.bounds_of(BodyKey::K).lower : body.k;
+  const double room = largest_k(eta_m) - k;
+  if (room > kBoundSlack) return;
   const auto stated = [&](BodyKey key) {
     return plan.is_free(key) &&
            plan.bounds[static_cast<std::size_t>(key)].has_value();
   };
-  if (!stated(BodyKey::EtaM) && !stated(BodyKey::K)) return;
-  if (k <= largest_k(eta_m) + kBoundSlack) return;
   check.refuse(
-      stated(BodyKey::EtaM) ? "design.bounds.eta_m" : "design.bounds.k",
-      "no body has η_m {} {:g} and k {} {:g}: k ≤ 1 − η_m² = {:.6g}, reached "
-      "when all mass sits on the rim",
-      plan.is_free(BodyKey::EtaM) ? "≥" : "=", eta_m,
-      plan.is_free(BodyKey::K) ? "≥" : "=", k, largest_k(eta_m));
+      stated(BodyKey::EtaM) ? "design.bounds.eta_m"
+      : stated(BodyKey::K)  ? "design.bounds.k"
+                            : "design.free",
+      "{} η_m {} {:g} and k {} {:g}: k ≤ 1 − η_m² = {:.6g}, reached "
+      "when all mass sits on the rim{}",
+      room < -kBoundSlack ? "no body has" : "one pair of both alone has",
+      any_eta ? "≥" : "=", eta_m, any_k ? "≥" : "=", k, largest_k(eta_m),
+      room < -kBoundSlack
+          ? ""
+          : "; leave them out of design.free, or give them room");
 }
 
 /// τ → 0 as B comes to lie on the body at its start.

@@ -3,6 +3,7 @@
 
 #include "math/minima.hpp"
 
+#include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <cstdint>
 #include <optional>
@@ -23,26 +24,48 @@ double drop_below(const Sample& a, const Sample& b, const Sample& c) {
   return bend > 0.0 ? slope * slope / (4.0 * bend) : 0.0;
 }
 
-/// The same of the last of three samples that fall, if the parabola has risen
-/// again there; nothing where it is far from doing so.
+/// The same of an end of the samples, the last of three that fall towards it
+/// from either side, if the parabola has risen again there; nothing where it is
+/// far from doing so.
 std::optional<double> drop_before(const Sample& a, const Sample& b,
-                                  const Sample& c) {
+                                  const Sample& end) {
   const double first = (b.value - a.value) / (b.at - a.at);
-  const double last = (c.value - b.value) / (c.at - b.at);
-  const double bend = (last - first) / (c.at - a.at);
-  const double width = c.at - b.at;
-  const double slope = last + bend * width;  // at c
+  const double last = (end.value - b.value) / (end.at - b.at);
+  const double bend = (last - first) / (end.at - a.at);
+  const double width = end.at - b.at;        // less than 0 at the first sample
+  const double slope = last + bend * width;  // at the end
   // Its lowest place: half an interval behind the end it may be an error.
-  const double behind = -slope / (2.0 * bend);
-  if (!(bend > 0.0) || !(behind < 0.5 * width)) return std::nullopt;
-  return slope > 0.0 ? slope * slope / (4.0 * bend) : 0.0;
+  const double behind = -slope / (2.0 * bend) / width;
+  if (!(bend > 0.0) || !(behind < 0.5)) return std::nullopt;
+  return behind < 0.0 ? slope * slope / (4.0 * bend) : 0.0;
+}
+
+/// The minimum between an end of the samples and the one next to it.
+std::optional<Sample> minimum_before(double bound, bool hidden_alone,
+                                     const Sample& a, const Sample& b,
+                                     const Sample& end,
+                                     const std::function<double(double)>& f) {
+  if (!(end.value < b.value) || (hidden_alone && end.value < bound)) return {};
+  const auto drop = drop_before(a, b, end);
+  if (!drop || end.value - 2.0 * *drop > bound) return {};
+  const auto [lower, upper] = std::minmax(b.at, end.at);
+  const Sample lowest = find_minimum(f, lower, upper);
+  if (!(lowest.value < end.value && lowest.value <= bound)) return {};
+  return lowest;
 }
 
 std::vector<Sample> minima(double bound, bool hidden_alone,
                            std::span<const Sample> samples,
                            const std::function<double(double)>& f) {
   std::vector<Sample> minima;
-  for (std::size_t i = 1; i + 1 < samples.size(); ++i) {
+  const std::size_t n = samples.size();
+  if (n < 3) return minima;
+  const auto at_end = [&](const Sample& a, const Sample& b, const Sample& end) {
+    const auto found = minimum_before(bound, hidden_alone, a, b, end, f);
+    if (found) minima.push_back(*found);
+  };
+  at_end(samples[2], samples[1], samples[0]);
+  for (std::size_t i = 1; i + 1 < n; ++i) {
     const Sample& before = samples[i - 1];
     const Sample& here = samples[i];
     const Sample& after = samples[i + 1];
@@ -54,18 +77,7 @@ std::vector<Sample> minima(double bound, bool hidden_alone,
     if (here.value < lowest.value) lowest = here;
     if (lowest.value <= bound) minima.push_back(lowest);
   }
-  if (samples.size() < 3) return minima;
-  const Sample& end = samples.back();
-  const Sample& before = samples[samples.size() - 2];
-  if (!(end.value < before.value) || (hidden_alone && end.value < bound)) {
-    return minima;
-  }
-  const auto drop = drop_before(samples[samples.size() - 3], before, end);
-  if (!drop || end.value - 2.0 * *drop > bound) return minima;
-  const Sample lowest = find_minimum(f, before.at, end.at);
-  if (lowest.value < end.value && lowest.value <= bound) {
-    minima.push_back(lowest);
-  }
+  at_end(samples[n - 3], samples[n - 2], samples[n - 1]);
   return minima;
 }
 

@@ -26,11 +26,11 @@ struct Sample {
 /// The local minima below `bound` that lie between the ends of a sequence of
 /// samples, in their order. f is taken to have no more than one minimum
 /// between neighbouring samples, where it shows as a sample that is not above
-/// both its neighbours, or as the last one to which f falls less and less;
-/// those whose parabola, its drop below the sample doubled, stays above `bound`
-/// are not looked at.
+/// both its neighbours, or as an end to which f falls less and less; those
+/// whose parabola, its drop below the sample doubled, stays above `bound` are
+/// not looked at.
 ///
-/// \param samples  ascending in their argument
+/// \param samples  ascending in their argument, no two of one place
 [[nodiscard]] std::vector<Sample> minima_below(
     double bound, std::span<const Sample> samples,
     const std::function<double(double)>& f);

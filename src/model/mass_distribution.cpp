@@ -44,7 +44,7 @@ void check(std::span<const MassPart> parts, double radius) {
     require_positive("the mass", part.mass);
     if (part.reach <= largest) continue;
     throw std::invalid_argument(fmt::format(
-        "{}it reaches {:.6g} from the axis, beyond the cylinder of radius "
+        "{}it reaches {:.12g} from the axis, beyond the cylinder of radius "
         "{:.6g}; a part lies within",
         part.name.empty() ? "" : part.name + ": ", part.reach, radius));
   }

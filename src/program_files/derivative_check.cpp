@@ -33,7 +33,7 @@ constexpr double kUnknown = std::numeric_limits<double>::infinity();
 class Directions {
  public:
   Directions(const nlp::Problem& problem, const Vector& x) : size_(x.size()) {
-    constexpr double kSmallest = 1e-3;
+    constexpr double kSmallest = 1e-4;
     double largest = 0.0;
     for (const double value : x) largest = std::max(largest, std::abs(value));
     for (std::size_t i = 0; i < x.size(); ++i) {
@@ -84,7 +84,8 @@ class Checker {
                         .rows = rows,
                         .columns = columns};
     constexpr int kDirections = 8;
-    constexpr std::array kSteps = {1e-3, 1e-4, 1e-5};
+    // Next to rest places are small, and functions of them bend within those.
+    constexpr std::array kSteps = {1e-3, 1e-4, 1e-5, 1e-6, 1e-7};
     for (int k = 0; k < kDirections; ++k) {
       const Vector d = directions_.next();
       move_to(point_.x);

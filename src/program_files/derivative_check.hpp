@@ -21,7 +21,7 @@ namespace brachisto::program_files {
 ///     (8 (F(x + h d) − F(x − h d)) − (F(x + 2 h d) − F(x − 2 h d))) / (12 h),
 ///
 /// F what it derives. The formula errs by some h⁴ F⁽⁵⁾ and by rounding over h:
-/// of three steps h the one that agrees best is taken, row by row, for an entry
+/// of some steps h the one that agrees best is taken, row by row, for an entry
 /// that is wrong or missing disagrees with all. Directions touch all free
 /// variables at once, each in proportion to its size but by no more than h.
 struct DerivativeCheck {

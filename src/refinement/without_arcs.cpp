@@ -113,10 +113,15 @@ class WithoutArcs {
         continue;
       }
       if (keep_between()) {
-        const double error =
-            (1.0 + kComplementarity) *
-            (of_mesh + std::abs(curve_.transit_time() / free_time - 1.0) +
-             sum_of(cost_of_keeping()) + mismatch_.largest() + kRounding);
+        const double drawn_in = sum_of(cost_of_keeping());
+        const double others =
+            of_mesh + std::abs(curve_.transit_time() / free_time - 1.0) +
+            mismatch_.largest() + kRounding;
+        double error = (1.0 + kComplementarity) * (others + drawn_in);
+        if (error <= tolerance_) {
+          error = (1.0 + kComplementarity) *
+                  (others + std::max(drawn_in, cost_of_margins()));
+        }
         protocol_.record.estimated_error = error;
         protocol_.keep_record("mesh", curve_.transit_time());
         if (error <= tolerance_) {
@@ -189,11 +194,12 @@ class WithoutArcs {
 
   /// The slopes that the contacts are built from, by Broyden's method from the
   /// fixed-point iteration on.
-  [[nodiscard]] bool close_contact(const Mesh& mesh) {
+  /// \param near  the last path is one on this mesh with nearly these bounds
+  [[nodiscard]] bool close_contact(const Mesh& mesh, bool near = false) {
     constexpr int kMostPasses = 40;
     constexpr double kClosed = 1e-10, kLargestStep = 0.1, kSmallestStep = 1e-3;
     auto ends = with_start(ends_, scene_, limits_, curve_.holds_control(0));
-    if (!ends || !solve(problem_on(mesh, *ends), false)) return false;
+    if (!ends || !solve(problem_on(mesh, *ends), near)) return false;
     ends_ = *ends;
     Eigen::VectorXd open = open_now();
     Eigen::MatrixXd B = -Eigen::MatrixXd::Identity(open.size(), open.size());
@@ -365,6 +371,22 @@ class WithoutArcs {
       cost.push_back(sum / curve_.transit_time());
     }
     return cost;
+  }
+  /// What it costs that bounds are drawn in where the contacts move along,
+  /// which multipliers do not know of: twice what the last half of it costs, as
+  /// a share of T, for the more bounds are drawn in the more that costs.
+  /// Infinite if the half has no solution.
+  [[nodiscard]] double cost_of_margins() const {
+    if (!end_is_sought(scene_) && !start_is_sought(scene_, ends_)) return 0.0;
+    WithoutArcs half(*this);
+    for (std::vector<double>& margins : half.margins_) {
+      for (double& margin : margins) margin *= 0.5;
+    }
+    if (!half.close_contact(curve_.problem().mesh(), true)) {
+      return std::numeric_limits<double>::infinity();
+    }
+    return 2.0 *
+           std::abs(half.curve_.transit_time() / curve_.transit_time() - 1.0);
   }
   /// Elements that cost more than their share of so much are quartered: bounds
   /// are then drawn in along a stretch a quarter as long.

@@ -101,34 +101,63 @@ std::vector<double> eigenvalues_along(const MatrixXd& hessian,
   return as_list(math::eigenvalues(along.transpose() * hessian * along));
 }
 
-/// Whether multipliers push towards the bounds that they belong to.
-bool signs_are_right(const nlp::Problem& problem,
-                     const FewVariablesPoint& found) {
-  for (std::size_t i = 0; i < found.active.variables.size(); ++i) {
-    if (found.point.z_lower[i] < 0.0 || found.point.z_upper[i] < 0.0) {
-      return false;
+/// Lets go of what its multiplier pulls away from its bound. False if there is
+/// nothing of the kind.
+bool release(const nlp::Problem& problem, const PrimalDual& point,
+             nlp::ActiveSet& active) {
+  bool released = false;
+  const auto let_go = [&](Held& held) {
+    held = Held::No;
+    released = true;
+  };
+  for (std::size_t i = 0; i < active.variables.size(); ++i) {
+    if (point.z_lower[i] < 0.0 || point.z_upper[i] < 0.0) {
+      let_go(active.variables[i]);
     }
   }
-  for (std::size_t i = 0; i < found.active.constraints.size(); ++i) {
-    const double lambda = found.point.lambda[i];
-    const Held held = found.active.constraints[i];
+  for (std::size_t i = 0; i < active.constraints.size(); ++i) {
+    const double lambda = point.lambda[i];
+    Held& held = active.constraints[i];
     if (problem.constraint_range(static_cast<int>(i)).single()) continue;
     if ((held == Held::AtLower && lambda > 0.0) ||
         (held == Held::AtUpper && lambda < 0.0)) {
+      let_go(held);
+    }
+  }
+  return released;
+}
+
+/// Whether what is not held lies within its bounds, but for rounding.
+bool within_bounds(const nlp::Problem& problem, const nlp::ActiveSet& active,
+                   const VectorXd& y, const VectorXd& values) {
+  constexpr double kRounding = 1e-12;
+  const auto within = [](Held held, const nlp::Range& range, double value) {
+    return held != Held::No || (value >= range.lower - kRounding &&
+                                value <= range.upper + kRounding);
+  };
+  for (std::size_t i = 0; i < active.variables.size(); ++i) {
+    const int index = static_cast<int>(i);
+    if (!within(active.variables[i], problem.variable_range(index), y[index])) {
+      return false;
+    }
+  }
+  for (std::size_t i = 0; i < active.constraints.size(); ++i) {
+    const int index = static_cast<int>(i);
+    if (!within(active.constraints[i], problem.constraint_range(index),
+                values[index])) {
       return false;
     }
   }
   return true;
 }
 
-}  // namespace
-
-FewVariablesPoint refine_few_variables(nlp::Problem& problem, PrimalDual start,
-                                       double step) {
+/// With that held, from the point.
+FewVariablesPoint refine(nlp::Problem& problem, PrimalDual start,
+                         nlp::ActiveSet active, double step) {
   constexpr int kMostSteps = 6;
   constexpr double kAtRest = 1e-7;
   FewVariablesPoint out;
-  out.active = nlp::active_set(problem, start);
+  out.active = std::move(active);
   const Split variables = split(out.active.variables);
   const Split rows = split(out.active.constraints);
   VectorXd y = as_vector(start.x), lambda = as_vector(start.lambda);
@@ -186,7 +215,22 @@ FewVariablesPoint refine_few_variables(nlp::Problem& problem, PrimalDual start,
   out.point.z_lower.assign(out.point.x.size(), 0.0);
   out.point.z_upper.assign(out.point.x.size(), 0.0);
   nlp::set_bound_multipliers(problem, out.active, out.point);
-  out.converged = out.converged && signs_are_right(problem, out);
+  out.converged =
+      out.converged && within_bounds(problem, out.active, y, here->values);
+  return out;
+}
+
+}  // namespace
+
+FewVariablesPoint refine_few_variables(nlp::Problem& problem, PrimalDual start,
+                                       double step) {
+  FewVariablesPoint out;
+  out.point = std::move(start);
+  out.active = nlp::active_set(problem, out.point);
+  // What is let go of is not held again.
+  do {
+    out = refine(problem, std::move(out.point), std::move(out.active), step);
+  } while (out.converged && release(problem, out.point, out.active));
   return out;
 }
 

@@ -22,13 +22,14 @@ struct FewVariablesPoint {
   /// along all that is held: all positive at a strict minimum. Empty if nothing
   /// is free.
   std::vector<double> curvatures;
-  bool converged = false;  ///< to first order, with multipliers of either sign
-                           ///< where it has to be
+  /// To first order, with multipliers of the sign that bounds ask for.
+  bool converged = false;
 };
 
 /// Newton's method on the optimality conditions, from the point at which
-/// another solver stopped. What is held at a bound there stays there. The
-/// Hessian comes from central differences of gradients, 2 for each variable
+/// another solver stopped. What is held at a bound there stays there, unless
+/// its multiplier turns out to pull it away: then it is let go of. The Hessian
+/// comes from central differences of gradients, 2 for each variable
 /// that is free, at the start alone: errors shrink by its relative error in
 /// every step.
 ///

@@ -67,6 +67,22 @@ double place_of(const TrajectoryPoint& at, double L) {
   return std::abs(x) < kRounding * L ? 0.0 : x;
 }
 
+ActiveArc touch_at(double sigma, const LimitedMotion& motion) {
+  const TrajectoryPoint here = motion.at(sigma);
+  const double x = place_of(here, motion.scene().L);
+  return {{sigma, sigma}, {here.u, here.u}, {here.t, here.t}, {x, x}};
+}
+
+/// Whether a limit that holds along no arc holds at A, and T feels it there.
+bool decides_the_start(const StatedLimit& stated, const LimitedMotion& motion,
+                       const LimitOnPath& limit) {
+  constexpr double kRounding = 1e-9;
+  const double size = std::max(1.0, std::abs(stated.bound.value_or(0.0)));
+  const double slack = stated.slack(motion.at(0.0));
+  return size * std::abs(limit.price.value_or(0.0)) > kRounding &&
+         std::abs(slack) <= kRounding * size;
+}
+
 /// Arcs of one limit that follow each other are one, as where a body needs all
 /// friction first forwards and then backwards.
 std::vector<ActiveArc> active_arcs(const std::vector<Arc>& arcs,
@@ -96,10 +112,7 @@ std::vector<ActiveArc> active_arcs(const std::vector<Arc>& arcs,
       std::vector<nlp::Held> touched(limits.size(), nlp::Held::No);
       touched[arc.touch->limit] = arc.touch->at;
       if (is_among(touched, limits, stated)) {
-        const TrajectoryPoint here = motion.at(arc.end);
-        const double x = place_of(here, L);
-        active.push_back(
-            {{arc.end, arc.end}, {here.u, here.u}, {here.t, here.t}, {x, x}});
+        active.push_back(touch_at(arc.end, motion));
       }
     }
     begin = arc.end;
@@ -167,6 +180,10 @@ std::vector<LimitOnPath> limits_on_path(const PosedProblem& posed,
     if (std::isfinite(price.total) && std::isfinite(price.at_fixed_contacts)) {
       out[i].price = price.total * scale;
       out[i].price_at_fixed_contacts = price.at_fixed_contacts * scale;
+    }
+    if (out[i].active.empty() && decides_the_start(asked[i], motion, out[i])) {
+      out[i].active.push_back(touch_at(0.0, motion));
+      out[i].least_slack = 0.0;
     }
   }
   return out;

@@ -75,6 +75,19 @@ LimitedExtremal shoot_over_arcs(const FittedPath& path,
 }
 
 Outcome outcome_of(const LimitedExtremal& extremal) {
+  // A tenth of what the slope at A may be off by in a certificate.
+  constexpr double kTold = 1e-10;
+  const double kink =
+      extremal.solved ? std::abs(extremal.path.kink_at_start()) : 0.0;
+  if (kink > kTold) {
+    return {
+        Status::NotConverged,
+        fmt::format("a limit on forces holds at A alone, and the arc behind "
+                    "it, along which the slope turns by {:.1e} rad, is too "
+                    "short for shooting. Try method: ipopt with certify: "
+                    "extremal",
+                    kink)};
+  }
   if (extremal.solved) {
     return {Status::Solved,
             "solved under limits by shooting over the arcs that the program "

@@ -45,20 +45,25 @@ const DiscreteAnswer* Solution::discrete() const {
   return answer_as<DiscreteAnswer>(answer);
 }
 
-std::shared_ptr<const Neighbour> Solution::as_neighbour() const {
-  if (!options.follows_the_branch()) return nullptr;
-  if (const auto* limited = answer_as<LimitedPathAnswer>(answer)) {
+std::shared_ptr<const Neighbour> neighbour_of(const Solution& solution) {
+  if (!solution.options.follows_the_branch()) return nullptr;
+  const Scene& scene = solution.scene;
+  if (const auto* limited = answer_as<LimitedPathAnswer>(solution.answer)) {
     if (limited->arcs.empty()) return nullptr;
     const LimitedCurve& curve = limited->motion.curve();
     return std::make_shared<const Neighbour>(Neighbour{
         without_whole_turns(scene), curve.problem().mesh(), curve.point(),
         limited->ends.phi, limited->arcs, limited->ends});
   }
-  const auto* found = answer_as<CollocationAnswer>(answer);
-  if (found == nullptr || !folds.empty()) return nullptr;
+  const auto* found = answer_as<CollocationAnswer>(solution.answer);
+  if (found == nullptr) return nullptr;
   return std::make_shared<const Neighbour>(
       Neighbour{without_whole_turns(scene), found->trajectory.curve().mesh(),
                 found->point, found->phi});
+}
+
+std::shared_ptr<const Neighbour> Solution::as_neighbour() const {
+  return folds.empty() ? neighbour_of(*this) : nullptr;
 }
 
 bool Solution::verified() const {

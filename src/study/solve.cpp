@@ -208,7 +208,7 @@ void shoot_under_limits(const PosedProblem& posed, Solution& out) {
     record(extremal, there);
     const Outcome outcome = outcome_of(extremal);
     record(outcome, there);
-    if (!extremal.solved) return program.rough;
+    if (outcome.status != Status::Solved) return program.rough;
     const LimitedAnswer found = [&] {
       const CertificateTimer timer(there.effort);
       return answer_from_extremal(nearby, extremal, posed.stop());

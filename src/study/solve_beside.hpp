@@ -6,9 +6,17 @@
 
 #pragma once
 
+#include <memory>
+
 #include "brachisto/study/solve.hpp"
 
 namespace brachisto {
+
+/// The answer as one to solve beside, if it is the end of a branch or of a path
+/// under limits with its arcs; Solution::as_neighbour() does not tell those
+/// that lie beyond a fold.
+[[nodiscard]] std::shared_ptr<const Neighbour> neighbour_of(
+    const Solution& solution);
 
 /// solve(), but that the answer is on the neighbour's branch or there is none:
 /// nothing is tried from the cycloid.

@@ -222,6 +222,8 @@ Extreme smallest_behind(const Motion& motion,
   const auto figure = [&](double sigma) { return f(motion.at(sigma)); };
   for (const math::Sample& found :
        math::minima_below(lowest.value, samples, figure)) {
+    // Next to A forces may be 0/0, and their noise is no minimum.
+    if (samples.front().at == 0.0 && found.at < samples[1].at) continue;
     if (found.value < lowest.value) lowest = found;
   }
   return {lowest.value, motion.at(lowest.at).motion.contact.x};
@@ -379,6 +381,7 @@ PathDiagnostics Motion::diagnose() const {
   if (!(out.min_fold_margin.value > 0.0)) {
     out.min_curvature = {-kInfinity, out.min_fold_margin.x};
     out.max_curvature = {kInfinity, out.min_fold_margin.x};
+    out.curvature_after_rise = out.min_curvature;
   }
   out.max_abs_slope = std::abs(rows.front().beta);
   std::vector<Point> track;

@@ -129,7 +129,10 @@ std::vector<double> LimitedCurve::places(int element, int count) const {
       }
     }
   }
-  std::sort(out.begin(), out.end());
+  std::ranges::sort(out);
+  // The element's end is one of both kinds.
+  const auto doubled = std::ranges::unique(out);
+  out.erase(doubled.begin(), doubled.end());
   return out;
 }
 

@@ -103,6 +103,7 @@ TEST(CommandLine, RefusesValuesThatMeanNothing) {
            {{"sweep", kBead, "--out", "a", "--memory", "nan"}, number},
            {{"sweep", kBead, "--out", "a", "--memory", "inf"}, number},
            {{"sweep", kBead, "--out", "a", "--memory", "-1"}, number},
+           {{"sweep", kBead, "--out", "a", "--memory", "1"}, number},
            {{"sweep", kBead, "--out", "a", "--memory", "1e300"}, number},
            {{"compare", kBead, "--seconds", "nan"}, number},
            {{"compare", kBead, "--seconds", "inf"}, number},

@@ -184,6 +184,20 @@ TEST(Derivatives, AgreeAndTellOfTheProgram) {
   EXPECT_GT(told.at("chain").at("links").get<int>(), 0);
 }
 
+TEST(Derivatives, AgreeNextToRestOnFineMeshes) {
+  // The first place lies 1e-6 of the track from A, where the time is a root of
+  // it: the step of differences has to be smaller still.
+  for (const std::string& scene :
+       {kScene, std::string(BRACHISTO_PROBLEMS_DIR "/case.yaml")}) {
+    const Output output =
+        run({"derivatives", scene, "--set",
+             "discretisation.formulation=arc_length", "--json"});
+
+    EXPECT_EQ(output.code, 0) << scene << output.out;
+    EXPECT_EQ(json::parse(output.out).at("agrees"), true);
+  }
+}
+
 TEST(Table, HasARowForEachScene) {
   const std::string refused = BRACHISTO_PROBLEMS_DIR "/hard/eta_m_1.yaml";
 
@@ -197,6 +211,10 @@ TEST(Table, HasARowForEachScene) {
   EXPECT_EQ(rows[0].at("verified"), true);
   EXPECT_EQ(rows[1].at("outcome"), "refused");
   EXPECT_EQ(run({"table", "nothing.yaml", "--quiet"}).code, 6);
+  // Before anything is solved.
+  const Output late = run({"table", kScene, "nothing.yaml"});
+  EXPECT_EQ(late.code, 6);
+  EXPECT_EQ(late.err.find("1 of 2"), std::string::npos) << late.err;
 }
 
 }  // namespace

@@ -394,6 +394,68 @@ TEST(Design, AMultiplierIsTheSlopeOfTheLeastTimeOverItsBound) {
               (4.0 * slope(0.5 * kStep) - slope(kStep)) / 3.0, kError);
 }
 
+TEST(Design, ABodyOnTheRimIsThereExactlyAndTellsWhatTheRimCosts) {
+  DesignPlan plan;
+  plan.free = {EtaM, ThetaM};
+  Scene scene = base();
+  scene.body.eta_m = 0.05;
+  for (const double k : {0.95, 0.98, 0.99}) {
+    scene.body.k = k;
+    for (const double radius : {1.0 / 3.0, 0.1}) {
+      scene.body.radius = radius;
+      std::vector<DesignSearch> searches;
+      for (int start = 1; start <= 3; ++start) {
+        searches.push_back(search_design(scene, {}, plan, start, nullptr));
+      }
+      const DesignAnswer found = gather_designs(plan, std::move(searches));
+
+      ASSERT_EQ(found.minima.size(), 1U) << k << ", " << radius;
+      const DesignMinimum& minimum = found.minima.front();
+      ASSERT_EQ(minimum.bounds_active.size(), 1U);
+      EXPECT_EQ(minimum.bounds_active[0].name, "rim");
+      const double eta_m = by_name(minimum.values)["eta_m"];
+      EXPECT_NEAR(eta_m * eta_m + k, 1.0, 1e-13);
+      // The rim is η² + k = 1: dτ/dη = 2 η dτ/d(rim).
+      const double slope = by_name(minimum.gradient)["eta_m"];
+      EXPECT_NEAR(minimum.bounds_active[0].multiplier, slope / (2.0 * eta_m),
+                  1e-6);
+      ASSERT_EQ(minimum.curvatures.size(), 1U) << "along the rim";
+    }
+  }
+}
+
+TEST(Design, BoundsOfTheOffsetAndOfOthersHoldTogether) {
+  // The direction is all that is left, and nearly that of a coordinate, which
+  // has no bound of its own.
+  DesignPlan plan;
+  plan.free = {EtaM, ThetaM, K, Radius};
+  plan.bounds[static_cast<std::size_t>(EtaM)] = {0.36, 0.435};
+  plan.bounds[static_cast<std::size_t>(Radius)] = {0.147, 0.222};
+  Scene scene = base();
+  scene.body = Body::cylinder(0.2, 0.376, -1.8326, 0.3);
+
+  const DesignSearch search = search_design(scene, {}, plan, 1, nullptr);
+  ASSERT_FALSE(search.minima.empty()) << search.message;
+  const DesignMinimum& found = search.minima.back();
+
+  ASSERT_EQ(found.bounds_active.size(), 3U);
+  auto gradient = by_name(found.gradient);
+  std::map<std::string, double> prices;
+  for (const BoundOfDesign& bound : found.bounds_active) {
+    prices[bound.name] = bound.multiplier;
+  }
+  ASSERT_EQ(prices.size(), 3U);
+  for (const auto& [name, price] : prices) {
+    EXPECT_NEAR(price, gradient[name], 1e-6) << name;
+  }
+  EXPECT_EQ(prices.count("theta_m"), 0U);
+  EXPECT_NEAR(gradient["theta_m"], 0.0, 1e-8);
+  auto values = by_name(found.values);
+  EXPECT_NEAR(values["eta_m"], 0.435, 1e-12);
+  EXPECT_EQ(values["k"], 0.0);
+  EXPECT_EQ(values["r"], 0.222);
+}
+
 TEST(Design, NoNeighbourIsQuicker) {
   // By whole solves around the minimum, which the search has not made.
   DesignPlan plan;

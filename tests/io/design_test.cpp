@@ -151,6 +151,9 @@ TEST(DesignSection, RefusesBoundsThatNoBodyHas) {
   refused(cylinder("radius: 1/3, eta_m: 0.8, k: 0.1") +
               "design: {free: [k], bounds: {k: [0.5, 0.6]}}\n",
           "design.bounds.k: no body has η_m = 0.8 and k ≥ 0.5: " + reason);
+  refused(cylinder("radius: 1/3, k: 1") + "design: {free: [eta_m, theta_m]}\n",
+          "design.free: one pair of both alone has η_m ≥ 0 and k = 1: k ≤ 1 − "
+          "η_m² = 1");
   // 0.6² + 0.5 is less than 1.
   EXPECT_TRUE(design_plan("{free: [eta_m], bounds: {eta_m: [0.6, 0.9]}}")
                   .is_free(BodyKey::EtaM));

@@ -113,6 +113,27 @@ TEST(MinimaBelow, LieInTheLastIntervalToo) {
   EXPECT_TRUE(minima_below(0.0, sample(0.0, 0.99, 2, f), f).empty());
 }
 
+TEST(MinimaBelow, LieInTheFirstIntervalToo) {
+  // The same from the other side, and one that lies nearer to the end than a
+  // fiftieth of the interval.
+  for (const double first : {0.9, 0.995}) {
+    const auto f = [](double x) { return x * (x - 2.0); };
+    const std::vector<Sample> samples = sample(first, 2.0, 3, f);
+    ASSERT_LT(samples.front().value, samples[1].value);
+
+    for (const double bound : {-0.99999, samples.front().value}) {
+      const std::vector<Sample> found = minima_below(bound, samples, f);
+      ASSERT_EQ(found.size(), 1u);
+      EXPECT_NEAR(found[0].at, 1.0, kPlace);
+      EXPECT_NEAR(found[0].value, -1.0, 1e-14);
+    }
+    EXPECT_TRUE(minima_below(-1.1, samples, f).empty());
+  }
+  const auto f = [](double x) { return x * (x - 2.0); };
+  EXPECT_EQ(hidden_minima_below(-0.999, sample(0.9, 2.0, 3, f), f).size(), 1u);
+  EXPECT_TRUE(minima_below(0.0, sample(1.01, 2.0, 3, f), f).empty());
+}
+
 TEST(MinimaBelow, TheEndsAreNoMinimaAndMayBeInfinite) {
   const auto f = [](double x) { return 1.0 / x + x; };
   std::vector<Sample> samples = sample(0.0, 0.9, 9, f);

@@ -517,13 +517,13 @@ TEST(ChainLdlt, TakesOtherPivotsNextToABound) {
   // In each interior slacks s, multipliers y of their inequalities, and
   // variables q: next to a bound [1 −ε; −ε 0] in s and y asks for s alone, then
   // y with q, far from it [ε −1; −1 0] for s with y.
-  constexpr int kLinks = 400, kTriples = 16, kSeparator = 3;
+  constexpr int kLinks = 100, kTriples = 16, kSeparator = 3;
   constexpr double kEpsilon = 1e-6;
   Random random(11);
   ChainMatrix matrix = empty_chain(kLinks, 3 * kTriples, kSeparator, 1);
   const int per_link = kSeparator + 3 * kTriples;
   for (int link = 0; link < kLinks; ++link) {
-    const bool next_to_bound = link % 200 < 100;
+    const bool next_to_bound = link % 50 < 25;
     for (int i = 0; i < kTriples; ++i) {
       const int s = link * per_link + kSeparator + 3 * i;
       matrix.add(s, s, next_to_bound ? 1.0 : kEpsilon);

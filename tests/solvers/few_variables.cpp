@@ -150,6 +150,21 @@ TEST(FewVariables, MayBeHeldInEveryDirectionByARowBesides) {
   EXPECT_TRUE(found.curvatures.empty());
 }
 
+TEST(FewVariables, LetsGoOfABoundThatTheMinimumOnlyLiesNextTo) {
+  // y = −1.25 is allowed; 1e-4 beside its bound a multiplier of 0.1 says that
+  // the bound holds.
+  NearestPointWithBound problem(-1.26);
+  const PrimalDual start{{1.0, -1.26 + 1e-4}, {0.0}, {0.0, 0.1}, {2.6, 0.0}};
+
+  const FewVariablesPoint found = refine_few_variables(problem, start, kStep);
+
+  ASSERT_TRUE(found.converged);
+  EXPECT_NEAR(found.point.x[1], -1.25, kAtRest);
+  EXPECT_EQ(found.point.z_lower[1], 0.0);
+  EXPECT_NEAR(found.point.z_upper[0], 2.625, kAtRest);
+  EXPECT_EQ(found.curvatures.size(), 1U);
+}
+
 TEST(FewVariables, DoesNotTakeAMaximumForABoundMinimum) {
   NearestPointWithBound problem;
   // Held at x ≤ 1 with the wrong sign it would be a bound that pulls.

@@ -233,6 +233,26 @@ TEST(ClosedForms, OfAFloorAreACycloidALineAndTheSameCycloid) {
   }
 }
 
+/// A floor that the free path enters by 1e-6 to 2e-5 m, next to an end of an
+/// element: between the last places that are looked at.
+TEST(ClosedForms, OfAFloorThatIsBarelyEnteredAreMet) {
+  Scene scene = uniform_scene();
+  scene.body = Body::cylinder(0.2, 0.0, 0.0, 0.5);
+  scene.L = 4.0;
+  scene.H = 0.3;
+  for (const double D :
+       {1.3726798919435175, 1.3726708919435173, 1.3726620949669883}) {
+    const Solution solution = solve(under(scene, floor_at(D)));
+
+    ASSERT_TRUE(solution.verified()) << D;
+    EXPECT_NEAR(solution.motion()->tau(),
+                closed_on_floor(scene, D - scene.body.radius).tau,
+                allowed(solution))
+        << D;
+    EXPECT_GE(solution.limits.at(0).least_slack, 0.0) << D;
+  }
+}
+
 /// Its slopes at A and B cost it nothing.
 TEST(LimitedTracks, OfABeadWithOptimalContactsIsThatWithSmoothOnes) {
   for (const double D : {1.0, 5.0}) {
@@ -517,13 +537,36 @@ TEST(LimitedTracks, KeepBoundsOfValleysFromRestOnHoweverSharpTheseAre) {
 /// A free path leaves rest where the normal force vanishes, outside every cone.
 /// An arc along which even this friction is too little would have 1e-6 of it,
 /// and is left out.
-TEST(LimitedTracks, AreNotVerifiedByAnExtremalThatSlipsAtRest) {
+TEST(LimitedTracks, AreNotAnsweredByAnExtremalThatSlipsAtRest) {
   const SolveOptions shooting{.method = Shooting{}};
   const Solution solution =
       solve(under(uniform_scene(), friction(1e5)), shooting);
   EXPECT_FALSE(solution.verified());
-  EXPECT_NE(solution.message.find("friction is exceeded"), std::string::npos)
+  EXPECT_NE(solution.message.find("holds at A alone"), std::string::npos)
       << solution.message;
+}
+
+/// What holds at A alone turns the contact there, and T with it: shooting knows
+/// so much of it that it may confirm the program.
+TEST(LimitedTracks, WithALimitAtAAloneAreConfirmedByShooting) {
+  SolveOptions options;
+  options.use<Collocation>().certify = Certify::Extremal;
+  for (const double least : {1e-8, 1e-7, 1e-6}) {
+    Scene scene = uniform_scene();
+    scene.limits.normal_min = least;
+
+    const Solution solution = solve(scene, options);
+
+    ASSERT_TRUE(solution.verified()) << least;
+    ASSERT_TRUE(solution.extremal);
+    EXPECT_LT(solution.extremal->difference, 1e-13) << least;
+    // It has a price, and so a place.
+    const LimitOnPath& limit = solution.limits.at(0);
+    EXPECT_LT(*limit.price, -1e-3);
+    ASSERT_EQ(limit.active.size(), 1u);
+    EXPECT_EQ(limit.active[0].sigma.to, 0.0);
+    EXPECT_EQ(limit.least_slack, 0.0);
+  }
 }
 
 /// From one scene to the next an arc is born (at μ = 0.26154), two become one

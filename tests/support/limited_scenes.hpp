@@ -177,7 +177,7 @@ template <class Function>
   const long double phi = 0.5L * (pi - psi);
   const long double line = scene.L + r * sin(phi) - r - a * (psi - sin(psi));
   const long double u = sqrt(2.0L * a) * psi + line / sqrt(2.0L * a);
-  return {static_cast<double>(sqrt(1.0L + scene.body.k) * u),
+  return {static_cast<double>(sqrt((1.0L + scene.body.k) / scene.H) * u),
           static_cast<double>(phi)};
 }
 

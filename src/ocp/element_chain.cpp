@@ -49,14 +49,25 @@ nlp::ChainStructure element_chain(const Layout& layout, const Mesh& mesh,
   chain.scale.assign(chain.block.size(), 1.0);
   const int n = layout.num_variables();
   const int p = mesh.degree;
+  // On elements much shorter than others defects and limits of states count for
+  // more: where a limit holds the place, the pivots of its defects are what the
+  // slope moves it by, like h, and would pass for rounding of the longer ones.
+  constexpr double kNotShort = 1e-3, kMost = 8192.0;
+  double longest = 0.0;
+  for (int element = 0; element < mesh.num_elements(); ++element) {
+    longest = std::max(longest, mesh.length(element));
+  }
+  longest = std::min(longest, kNotShort);
   for (int c = 0; c < layout.num_points(); ++c) {
     const int element = c / p;
     const bool last = c % p == p - 1;
     const double root = root_of_length(mesh, element);
+    const double lift = std::exp2(
+        std::round(std::log2(std::clamp(longest / (root * root), 1.0, kMost))));
     for (int i = 0; i < layout.num_states(); ++i) {
       chain.scale[at(layout.state(c + 1, 0) + i)] = 1.0 / root;
       if (c == 0) chain.scale[at(i)] = 1.0 / root;
-      chain.scale[at(n + layout.defect(c, 0) + i)] = root;
+      chain.scale[at(n + layout.defect(c, 0) + i)] = lift * root;
     }
     const int block = last ? 2 * (element + 1) : 2 * element + 1;
     for (int k = 0; k < layout.num_controls(); ++k) {
@@ -74,7 +85,7 @@ nlp::ChainStructure element_chain(const Layout& layout, const Mesh& mesh,
       constexpr double kShort = 1e-4;
       chain.scale[row] = of_control[at(i)]
                              ? root * root * root
-                             : root * std::max(1.0, kShort / (root * root));
+                             : root * std::max(lift, kShort / (root * root));
     }
   }
   return chain;

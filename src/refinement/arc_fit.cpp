@@ -138,6 +138,7 @@ class Fit {
       // other factors leave of it may be more than rounding.
       if (settled) drift_ = std::numeric_limits<double>::infinity();
       if (!linearise(system)) {
+        if (drop_shortest(system)) return Outcome::Vanished;
         return fail("the optimality conditions of the arcs are singular");
       }
       // If it released one more of them.
@@ -330,26 +331,44 @@ class Fit {
     return kept_ ? *kept_ : nearby_;
   }
 
+  /// Along an arc as short as that conditions may be singular.
+  static constexpr double kNone = 1e-6;
+
   /// Leaves out a short arc whose ends want to pass each other again and again.
   bool drop_vanishing(const Vector& step, const PathSystem& system) {
-    constexpr double kShort = 0.03, kNone = 1e-6;
+    constexpr double kShort = 0.03, kLeast = 1e-8;
     constexpr int kPatience = 3;
-    std::vector<Arc>& arcs = now_.arcs;
+    const std::vector<Arc>& arcs = now_.arcs;
     crossings_.resize(arcs.size());
     for (std::size_t i = 0; arcs.size() > 1 && i < arcs.size(); ++i) {
       const double length = length_of(arcs, i);
       const bool crosses = length < kShort && length + growth(step, i) <= 0.0;
       crossings_[i] = crosses ? crossings_[i] + 1 : 0;
-      if (length > kNone && crossings_[i] < kPatience) continue;
-      crossings_.clear();
-      exchange_multipliers(system.problem(), [&](double& touch, int row) {
-        touch = system.point().lambda[static_cast<std::size_t>(row)];
-      });
-      leave_out(arcs, i);
-      kept_.emplace(system.curve());
-      return true;
+      if (length <= (crosses ? kNone : kLeast) || crossings_[i] >= kPatience) {
+        drop(i, system);
+        return true;
+      }
     }
     return false;
+  }
+  /// Leaves out one where conditions are singular.
+  bool drop_shortest(const PathSystem& system) {
+    const std::vector<Arc>& arcs = now_.arcs;
+    std::size_t shortest = 0;
+    for (std::size_t i = 1; i < arcs.size(); ++i) {
+      if (length_of(arcs, i) < length_of(arcs, shortest)) shortest = i;
+    }
+    if (arcs.size() == 1 || length_of(arcs, shortest) > kNone) return false;
+    drop(shortest, system);
+    return true;
+  }
+  void drop(std::size_t arc, const PathSystem& system) {
+    crossings_.clear();
+    exchange_multipliers(system.problem(), [&](double& touch, int row) {
+      touch = system.point().lambda[static_cast<std::size_t>(row)];
+    });
+    leave_out(now_.arcs, arc);
+    kept_.emplace(system.curve());
   }
 
   const Scene& scene_;

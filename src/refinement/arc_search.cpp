@@ -56,8 +56,9 @@ void ArcSearch::note(const char* what, const PathSetting& setting) {
 FittedPath ArcSearch::without_slivers(FittedPath path, int degree,
                                       double exceeded) {
   // The inertia was seen to be off by one with arcs of 1e-6 to 2e-6. A greater
-  // number costs fits, not accuracy: the path without has to keep all limits.
-  constexpr double kSliver = 1e-5;
+  // number costs fits, not accuracy: the path without has to keep all limits,
+  // between the places of its elements too.
+  constexpr double kSliver = 1e-5, kKept = 1e-10;
   for (std::size_t i = 0; i < path.arcs.size() && !protocol_.stopped();) {
     std::vector<Arc> arcs = path.arcs;
     const bool touches = arcs[i].touch || (i > 0 && arcs[i - 1].touch);
@@ -66,6 +67,7 @@ FittedPath ArcSearch::without_slivers(FittedPath path, int degree,
       continue;
     }
     leave_out(arcs, i);
+    const double kept = std::max(kKept, path.curve.largest_excess().value);
     PathSetting setting{path.curve.problem().limits(), arcs, path.ends};
     note("tried without a sliver", setting);
     const Status status = protocol_.status;
@@ -73,7 +75,7 @@ FittedPath ArcSearch::without_slivers(FittedPath path, int degree,
     const int elements = protocol_.record.elements;
     ArcFit less = fit(path.curve, std::move(setting), degree);
     if (less.path && !corrected(less.path->curve, less.path->arcs,
-                                Takeover::LedBack, exceeded)) {
+                                Takeover::LedBack, std::min(exceeded, kept))) {
       path = *std::move(less.path);
     } else {
       protocol_.fail(status, message);  // as it was

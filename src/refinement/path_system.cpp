@@ -141,6 +141,8 @@ bool PathSystem::evaluate() {
 
 bool PathSystem::linearise() {
   system_->evaluate_jacobian();
+  // Arcs may have become a thousandth as long.
+  if (chain_) chain_->rescale();
   if (chain_ && chain_->factorise()) return true;
   // A condition on where the path ends, where nothing else gives way.
   std::vector<int> rows = with_end();

@@ -77,6 +77,10 @@ bool BorderedChain::factorise() {
   return std::isfinite(pivot_) && pivot_ != 0.0;
 }
 
+void BorderedChain::rescale() {
+  chain_->set_scale(chain_of(system_.problem(), system_.active()).scale);
+}
+
 void BorderedChain::forget_pivots() {
   chain_->forget_pivots();
 }

@@ -37,6 +37,9 @@ class BorderedChain {
   /// At the point of the last KktSystem::evaluate_jacobian(). False if the
   /// system is singular, or K is although the system is not.
   [[nodiscard]] bool factorise();
+  /// For a problem whose mesh has changed, before that: unknowns are scaled by
+  /// the lengths of its elements.
+  void rescale();
 
   /// For another try, after factorise() or solve() refused: pivots chosen for
   /// this very matrix.

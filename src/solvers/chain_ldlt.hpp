@@ -296,6 +296,10 @@ class ChainLdlt {
   std::vector<double> matrix_;  ///< scratch
 };
 
+/// The chain of a problem without what is held of variables and what is not of
+/// constraints.
+[[nodiscard]] nlp::ChainStructure chain_of(const nlp::Problem& problem,
+                                           const nlp::ActiveSet& active);
 /// For the matrix [H Jᵀ; J 0] of variables that are not held and constraints
 /// that are, values in two arrays: those of hess_lag_pattern() and those of
 /// jac_g_pattern(). Unknowns are numbered as they are in the problem,

@@ -324,11 +324,9 @@ void ChainLdlt::subtract_product(std::span<const double> x,
   }
 }
 
-std::unique_ptr<ChainLdlt> make_chain_ldlt(const nlp::Problem& problem,
-                                           const nlp::ActiveSet& active) {
-  const PhaseTimer timer(Phase::SetUp);
+nlp::ChainStructure chain_of(const nlp::Problem& problem,
+                             const nlp::ActiveSet& active) {
   nlp::ChainStructure chain = problem.chain_structure();
-  if (chain.empty()) return nullptr;
   const std::size_t n = active.variables.size();
   for (std::size_t i = 0; i < chain.block.size(); ++i) {
     const bool present = i < n ? active.variables[i] == nlp::Held::No
@@ -337,6 +335,14 @@ std::unique_ptr<ChainLdlt> make_chain_ldlt(const nlp::Problem& problem,
     chain.block[i] = nlp::ChainStructure::kAbsent;
     if (!chain.scale.empty()) chain.scale[i] = 1.0;
   }
+  return chain;
+}
+
+std::unique_ptr<ChainLdlt> make_chain_ldlt(const nlp::Problem& problem,
+                                           const nlp::ActiveSet& active) {
+  const PhaseTimer timer(Phase::SetUp);
+  nlp::ChainStructure chain = chain_of(problem, active);
+  if (chain.empty()) return nullptr;
   const nlp::SparsityPattern& hess = problem.hess_lag_pattern();
   const nlp::SparsityPattern& jac = problem.jac_g_pattern();
   const std::array<EntryPositions, 2> positions = {

@@ -84,7 +84,7 @@ class Checker {
                         .rows = rows,
                         .columns = columns};
     constexpr int kDirections = 8;
-    // Next to rest places are small, and functions of them bend within those.
+    // Next to rest places are so small that a great step leaves them behind.
     constexpr std::array kSteps = {1e-3, 1e-4, 1e-5, 1e-6, 1e-7};
     for (int k = 0; k < kDirections; ++k) {
       const Vector d = directions_.next();

@@ -29,9 +29,9 @@ struct FewVariablesPoint {
 /// Newton's method on the optimality conditions, from the point at which
 /// another solver stopped. What is held at a bound there stays there, unless
 /// its multiplier turns out to pull it away: then it is let go of. The Hessian
-/// comes from central differences of gradients, 2 for each variable
-/// that is free, at the start alone: errors shrink by its relative error in
-/// every step.
+/// comes from central differences of gradients, 2 for each variable that is
+/// free, where the same is held at the start alone: errors shrink by its
+/// relative error in every step.
 ///
 /// \param problem  with a dense pattern of the Jacobian, row by row
 /// \param step     of the differences, in every variable

@@ -135,10 +135,10 @@ inline std::ostream& operator<<(std::ostream& out,
   throw std::out_of_range(std::string(name));
 }
 
-/// Tracks of an axisymmetric body in closed form, H = 1. The centre of a body
+/// Tracks of an axisymmetric body in closed form. The centre of a body
 /// with A = 1 + k falls E below its start with w² = E where 2 g = 1, and rolls
 /// along a cycloid of generating radius a from ψ₀ to ψ, slope β = π/2 − ψ/2, in
-/// the rolling time √(2 a)(ψ − ψ₀); T = √A u, and τ = T there.
+/// the rolling time √(2 a)(ψ − ψ₀); T = √A u, and τ = T/√H there.
 struct ClosedTrack {
   double tau, end_angle;
 };

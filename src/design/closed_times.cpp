@@ -85,11 +85,14 @@ Margins margins_of(const Solution& solution, double contact_response,
       std::hypot(scene.L - start.x, scene.H - start.z) - scene.body.radius;
   const double of_grip =
       max_grip ? grip_margin(*solution.motion(), *max_grip) : 1.0;
+  const StartLimits& leaves = path.at_start;
+  const double at_start =
+      leaves.normal_force != 0.0
+          ? leaves.normal_force
+          : leaves.normal_force_rate * std::sqrt(scene.H / scene.gravity);
   Margins out;
   out << branch_margin(contact_response),
-      tamed(path.normal_force_after_rise.value),
-      tamed(path.at_start.normal_force_rate *
-            std::sqrt(scene.H / scene.gravity)),
+      tamed(path.normal_force_after_rise.value), tamed(at_start),
       tamed(path.min_fold_margin.value), tamed(distance / scene.body.radius),
       tamed(of_grip);
   return out;

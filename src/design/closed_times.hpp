@@ -37,10 +37,10 @@ namespace brachisto {
 /// ends and ±π/2 where the branch turns; 1 where that is not known.
 ///
 /// The others are of a body that can run on its track: the smallest R_n after
-/// its first rise [m g], how it rises at the start, dR_n/du √(H/g) [m g], the
-/// smallest 1 − r κ_c, the distance of B from the body at its start [r], and,
-/// of a design with MaxGrip, grip_margin(). That tracks cross themselves has no
-/// number.
+/// its first rise [m g], R_n at the start, or where that is 0 how it rises
+/// there, dR_n/du √(H/g) [m g], the smallest 1 − r κ_c, the distance of B from
+/// the body at its start [r], and, of a design with MaxGrip, grip_margin().
+/// That tracks cross themselves has no number.
 inline constexpr std::array<std::string_view, 6> kMargins{
     "branch", "normal_force", "start", "fold_margin", "room", "max_grip.mu"};
 inline constexpr std::string_view kBranchMargin = kMargins.front();

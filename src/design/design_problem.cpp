@@ -62,12 +62,16 @@ std::string DesignProblem::constraint_name(int index) const {
 std::vector<BoundOfDesign> DesignProblem::bounds_that_hold(
     const PrimalDual& point) const {
   std::vector<BoundOfDesign> out;
+  const auto holds = [&](std::size_t i, double bound, double slope) {
+    const double unit = space_.unit(i);
+    out.push_back({space_.names()[i], bound * unit, slope / unit});
+  };
   for (std::size_t i = 0; i < point.x.size(); ++i) {
     // Derivatives of the least τ are z_l by x_l and −z_u by x_u.
     if (point.z_lower[i] != 0.0) {
-      out.push_back({space_.names()[i], space_.lower()[i], point.z_lower[i]});
+      holds(i, space_.lower()[i], point.z_lower[i]);
     } else if (point.z_upper[i] != 0.0) {
-      out.push_back({space_.names()[i], space_.upper()[i], -point.z_upper[i]});
+      holds(i, space_.upper()[i], -point.z_upper[i]);
     }
   }
   const std::optional<double> at_corner = space_.corner_on_axis(point.lambda);

@@ -64,6 +64,12 @@ class DesignProblem final : public nlp::Problem {
     return times_.refusal();
   }
 
+  /// Solves with other options from now on, where it stands too.
+  void use(const SolveOptions& options) {
+    times_.use(options);
+    y_.resize(0);
+  }
+
   /// The points at which gradients were asked for, in their order.
   [[nodiscard]] const std::vector<DesignStep>& path() const { return path_; }
   /// The last of them whose track is a minimum between its ends, if any was,

@@ -236,7 +236,7 @@ class Searcher {
   /// What Newton's method confirms is a minimum, however the optimiser ended.
   std::optional<Judged> finish(DesignProblem& problem,
                                const SolverResult& found, Keep keep) {
-    times_.use(options_);
+    problem.use(options_);
     if (!problem.set_point(found.point.x)) {
       // It was come to step by step, and as a whole it is not found again.
       out_.message = problem.refusal();

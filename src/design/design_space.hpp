@@ -48,6 +48,10 @@ class DesignSpace {
   [[nodiscard]] const std::vector<double>& upper() const { return upper_; }
   /// Of each coordinate, as messages and bounds call it.
   [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
+  /// What 1 of a coordinate is in the unit of its file.
+  [[nodiscard]] virtual double unit(std::size_t /*coordinate*/) const {
+    return 1.0;
+  }
   [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
 
   /// The body, θ_m as its bounds have it or from −π to π.

@@ -45,6 +45,10 @@ class PartsSpace final : public DesignSpace {
     }
   }
 
+  [[nodiscard]] double unit(std::size_t coordinate) const override {
+    return coordinates_[coordinate].unit;
+  }
+
   [[nodiscard]] Traits traits(const Eigen::VectorXd& y) const override {
     try {
       const MassProperties found = mass_properties(moved(y), radius_);

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "io/sweep_section.hpp"
 #include "io/yaml_tree.hpp"
 
 namespace brachisto::io {
@@ -51,11 +52,18 @@ void add(Json& document, std::string_view path, Json value) {
   *place = std::move(value);
 }
 
+bool is_key(const std::string& path, const std::string& name) {
+  if (path == "sweep." || path == "sweep.random.ranges.") {
+    return is_key_of_sweep(name);
+  }
+  if (path.starts_with("sweep.")) return is_key_of_range(name);
+  return find_key(path + name) != nullptr;
+}
+
 void drop_nulls(YamlValue& map, const std::string& path) {
   std::erase_if(map.entries, [&](Entry& entry) {
-    const std::string key = path + entry.key;
-    if (find_key(key) == nullptr) return false;
-    drop_nulls(entry.value, key + '.');
+    if (!is_key(path, entry.key)) return false;
+    drop_nulls(entry.value, path + entry.key + '.');
     return entry.value.kind == YamlValue::Kind::Null &&
            !entry.value.text.empty();
   });

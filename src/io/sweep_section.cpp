@@ -329,6 +329,17 @@ class SectionReader {
 
 }  // namespace
 
+bool is_key_of_sweep(std::string_view key) {
+  return find_swept_key(key) != nullptr || key == "zip" ||
+         std::ranges::count(keys_beside_swept(), key, &KeySpec::path) > 0;
+}
+
+bool is_key_of_range(std::string_view key) {
+  constexpr std::string_view kKeys[] = {"from",    "to",   "count",
+                                        "spacing", "seed", "ranges"};
+  return std::ranges::count(kKeys, key) > 0;
+}
+
 const SweepEntry* SweepSection::find(std::string_view path) const {
   const auto found = std::ranges::find_if(
       entries,

@@ -57,6 +57,10 @@ inline constexpr std::string_view kExpectedRanges =
 /// whose ranges are such keys, warm_start, keep.
 [[nodiscard]] const std::vector<KeySpec>& keys_beside_swept();
 
+/// Whether the section may have such a key, and what is below one of its keys.
+[[nodiscard]] bool is_key_of_sweep(std::string_view key);
+[[nodiscard]] bool is_key_of_range(std::string_view key);
+
 /// Numbers from one end to the other, both included, or random ones between.
 struct NumberRange {
   Expression from, to;

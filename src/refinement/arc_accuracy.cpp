@@ -158,7 +158,7 @@ std::optional<LimitedAnswer> on_fixed_mesh(const FittedPath& path, int p,
     return refine_arcs(std::move(found), p, wanted, search, protocol);
   }
   const double error = *judge->estimated_error + change(*found, judge->path) +
-                       found->mismatch.largest() + kRounding;
+                       found->error_of_conditions() + kRounding;
   LimitedAnswer answer = told(*std::move(found), error, protocol);
   answer.judged_by = judge->path.curve.problem().mesh().num_elements();
   return answer;
@@ -184,8 +184,8 @@ std::optional<LimitedAnswer> refine_arcs(std::optional<FittedPath> path, int p,
         search.fit(path->curve, {limits, path->arcs, path->ends}, p + 1);
     if (!finer.path) break;
     // The difference is T's error less that of the finer one, of either sign.
-    const double error =
-        2.0 * change(*path, *finer.path) + path->mismatch.largest() + kRounding;
+    const double error = 2.0 * change(*path, *finer.path) +
+                         path->error_of_conditions() + kRounding;
     const bool good = error <= tolerance && within.keeps(*path);
     if (accurate && !good) break;
     accurate = good;

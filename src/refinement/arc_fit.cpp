@@ -187,20 +187,23 @@ class Fit {
       last_left = std::numeric_limits<double>::infinity();
       steps_ = {};
     }
-    if (!is_closed(system)) {  // else what is left is rounding
+    if (!is_closed(system) && !is_down_to_rounding(system)) {
       lost_ = true;
       return fail(
           fmt::format("junctions and contacts were not found: {:.1e} is left",
                       std::max(system.residual(), largest(system.open()))));
     }
     polish(system);
+    const double missed = is_closed(system) ? 0.0
+                                            : system.cost_of_residuals() /
+                                                  system.problem().eval_f();
     LimitedCurve curve = std::move(system).take_curve();
     exchange_multipliers(curve.problem(), [&](double& touch, int row) {
       touch = curve.point().lambda[static_cast<std::size_t>(row)];
     });
     const ContactMismatch mismatch = mismatch_of(curve, now_.ends);
     out_.path.emplace(
-        FittedPath{now_.arcs, now_.ends, std::move(curve), mismatch});
+        FittedPath{now_.arcs, now_.ends, std::move(curve), mismatch, missed});
     return Outcome::Found;
   }
 
@@ -321,6 +324,13 @@ class Fit {
   }
   [[nodiscard]] static bool is_closed(const PathSystem& system) {
     return is_solved(system) && largest(system.open()) <= kClosed;
+  }
+  /// Whether what is left is rounding where no step leaves less: terms of a
+  /// force are large where a body is small or a path bends much.
+  [[nodiscard]] static bool is_down_to_rounding(const PathSystem& system) {
+    constexpr double kUnits = 256.0, kMost = 1e-9;
+    const double left = std::max(system.residual(), largest(system.open()));
+    return left <= kMost && left <= kUnits * system.rounding();
   }
   /// Zero of nothing; what is not a number stays, which the norm passes over.
   [[nodiscard]] static double largest(const Vector& open) {

@@ -22,6 +22,12 @@ struct FittedPath {
   LimitedEnds ends;
   LimitedCurve curve;  ///< of a problem whose limits are equations or absent
   ContactMismatch mismatch;
+  /// Of T, where rounding leaves more of the equations than elsewhere.
+  double missed = 0.0;
+  /// Relative to T, apart from that of the mesh.
+  [[nodiscard]] double error_of_conditions() const {
+    return mismatch.largest() + missed;
+  }
 };
 
 /// Outcome of fit_arcs().

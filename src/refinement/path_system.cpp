@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "brachisto/math/index.hpp"
@@ -103,6 +104,21 @@ double PathSystem::residual() const {
     if (std::isnan(worst)) break;
   }
   return worst;
+}
+
+double PathSystem::rounding() const {
+  std::vector<double> sums(at(problem_->num_constraints()), 0.0);
+  const std::span<const double> values = system_->jac_g();
+  problem_->jac_g_pattern().for_each([&](std::size_t k, int row, int column) {
+    if (!problem_->constraint_range(row).single()) return;
+    sums[at(row)] += std::abs(values[k] * point_.x[at(column)]);
+  });
+  return std::numeric_limits<double>::epsilon() * std::ranges::max(sums);
+}
+
+double PathSystem::cost_of_residuals() {
+  const Elsewhere here = evaluated(setting_);
+  return std::abs(here.lagrangian - problem_->eval_f());
 }
 
 Eigen::VectorXd PathSystem::open_at(LimitedCurve there,

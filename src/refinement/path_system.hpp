@@ -71,6 +71,11 @@ class PathSystem {
   [[nodiscard]] LimitedCurve take_curve() &&;
   /// The largest of the optimality conditions that are not released.
   [[nodiscard]] double residual() const;
+  /// What a unit of rounding in the variables makes of an equation, the most
+  /// of all of them: Σ|∂g/∂x_i x_i| ε.
+  [[nodiscard]] double rounding() const;
+  /// What T feels of what is left of the equations, to the first order.
+  [[nodiscard]] double cost_of_residuals();
   [[nodiscard]] const Eigen::VectorXd& open() const { return open_; }
 
   /// Of the optimality conditions, for all that follows, at points nearby too.

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "brachisto/report/result.hpp"
@@ -29,9 +30,11 @@ std::string failed_checks(const Solution& solution) {
   std::string text = "failed checks:";
   for (const Check& check : solution.certificate.checks) {
     if (check.passed) continue;
-    text += fmt::format("{} {} ({:.3g} exceeds {:.3g})",
-                        text.back() == ':' ? "" : ",", check.name, check.value,
-                        check.threshold);
+    text += fmt::format("{} {} ({})", text.back() == ':' ? "" : ",", check.name,
+                        std::isnan(check.value)
+                            ? "not measured"
+                            : fmt::format("{:.3g} exceeds {:.3g}", check.value,
+                                          check.threshold));
   }
   const std::string advice = solution.advice();
   return advice.empty() ? text : text + "; to try: " + advice;

@@ -27,6 +27,24 @@ TEST(SweepOverrides, ReplaceWordsOfTheSection) {
       sweep({"scene.body.k: [0.1]"}, {"sweep.warm_start=true"}).warm_start());
 }
 
+TEST(SweepOverrides, TakeAKeyAwayByNull) {
+  const std::vector<std::string> said{
+      "scene.body.k: [0.1, 0.2]", "scene.finish.L: [2, 3]",
+      "zip: [scene.body.k, scene.finish.L]", "warm_start: true"};
+  EXPECT_EQ(sweep(said).num_scenes(), 2u);
+  EXPECT_EQ(sweep(said, {"sweep.zip=null"}).num_scenes(), 4u);
+  EXPECT_FALSE(sweep(said, {"sweep.warm_start=null"}).warm_start());
+  EXPECT_EQ(
+      sweep(said, {"sweep.zip=null", "sweep.scene.body.k=null"}).num_scenes(),
+      2u);
+  EXPECT_EQ(sweep({"random: {seed: 2, count: 5, ranges: {scene.body.k: {from: "
+                   "0.1, to: 1, spacing: log}}}"},
+                  {"sweep.random.seed=null",
+                   "sweep.random.ranges.scene.body.k.spacing=null"})
+                .num_scenes(),
+            5u);
+}
+
 TEST(SweepOverrides, TakeKeysOfTheProblemAsOneKeyOfTheSection) {
   EXPECT_THAT(numbers(sweep({"scene.body.k: {from: 0, to: 1, count: 9}"},
                             {"sweep.scene.body.k.count=3"})),

@@ -391,6 +391,22 @@ TEST(HardLimits, APathWhoseMultiplierHasTheWrongSignIsLeft) {
   EXPECT_NEAR(solution.motion()->tau(), 7.10096, 1e-4);
 }
 
+TEST(HardLimits, ForcesOfASmallBodyAreHeldToTheirRounding) {
+  // Eight turns with three arcs to each. Terms of the force are some 10⁴ m g,
+  // so that no limit is kept to 1e-11 in the numbers that there are.
+  for (const double friction : {5.0, 1.5, 1.35}) {
+    PathLimits limits;
+    limits.friction = friction;
+    Scene scene = cylinder_scene(0.05, 2.0 / 3.0, -30.0, 0.5, 2.5, limits);
+    scene.H = 2.0;
+
+    const Solution found = confirmed(scene);
+
+    ASSERT_TRUE(found.extremal) << friction;
+    EXPECT_LE(found.extremal->difference, 1e-12) << friction;
+  }
+}
+
 /// In this air the free extremal is followed from still air to 0.12 of the
 /// drag, no further. The program on 30 elements of degree 3, which keeps limits
 /// at its points alone, came to τ = 7.914 from three of six other random paths.

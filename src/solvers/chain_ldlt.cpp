@@ -20,9 +20,7 @@ constexpr int kJoinTo = 45;
 // Sequences of a run: as many as there are kinds of links, by which bounds they
 // are next to.
 constexpr std::size_t kMostSequences = 8;
-// A pivot below this many units of rounding of the largest entry of its column
-// is zero: that much may be left of what was subtracted, multipliers being
-// bounded. Where they may be larger it is more by as much.
+// A pivot below this many units of rounding of the largest entry is zero.
 constexpr double kZeroUnits = 64.0;
 
 }  // namespace
@@ -202,7 +200,7 @@ bool ChainLdlt::factorise(EntryValues values) {
     factorise_run(r);
     if (!std::isfinite(largest_)) return false;
   }
-  column_largest_.reset();
+  zero_ = kZeroUnits * std::numeric_limits<double>::epsilon() * largest_;
   sweep();
   if (!std::isfinite(largest_) || overflow_) return false;
   inertia_.known = true;
@@ -213,52 +211,6 @@ bool ChainLdlt::factorise(EntryValues values) {
   inertia_.zero = fronts_.zero();
   inertia_.positive = map_.num_unknowns() - inertia_.negative - inertia_.zero;
   return true;
-}
-
-/// When a pivot is zero. Columns are looked through only where one might be.
-FrontStack::Rule ChainLdlt::pivot_rule(bool complete, double threshold) {
-  constexpr double kZero = kZeroUnits * std::numeric_limits<double>::epsilon();
-  const double of_column = kZero * std::max(1.0, kThreshold / threshold);
-  return {.zero = kZero * largest_,
-          .complete = complete,
-          .threshold = threshold,
-          .zero_of = [this, of_column](int unknown) {
-            if (!column_largest_) find_column_largest();
-            return of_column * (*column_largest_)[at(unknown)];
-          }};
-}
-
-void ChainLdlt::find_column_largest() {
-  std::size_t count = 0;
-  for (const int unknown : map_.border()) {
-    count = std::max(count, at(unknown) + 1);
-  }
-  for (const Run& run : map_.runs()) {
-    for (const int link : run.links()) {
-      for (const ChainMap::Affine& unknown : run.unknowns) {
-        if (run.has(unknown, link))
-          count = std::max(count, unknown.at(link) + 1);
-      }
-    }
-  }
-  std::vector<double>& largest = column_largest_.emplace(count, 0.0);
-  const auto see = [&](std::size_t unknown, double value) {
-    largest[unknown] = std::max(largest[unknown], std::abs(value));
-  };
-  for (const Run& run : map_.runs()) {
-    for (const int link : run.links()) {
-      for (const ChainMap::Entry& entry : run.entries) {
-        if (!run.has(entry.source, link)) continue;
-        const double value = scaled(run, entry, link);
-        see(run.unknowns[at(entry.row)].at(link), value);
-        see(run.unknowns[at(entry.col)].at(link), value);
-      }
-    }
-  }
-  for (const ChainMap::Entry& entry : map_.border_entries()) {
-    see(at(map_.border()[at(entry.row)]), scaled_border(entry));
-    see(at(map_.border()[at(entry.col)]), scaled_border(entry));
-  }
 }
 
 void ChainLdlt::forget_pivots() {

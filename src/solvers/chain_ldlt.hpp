@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <memory>
-#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -230,16 +229,6 @@ class ChainLdlt {
     };
     return value * (scale_[unknown(entry.row)] * scale_[unknown(entry.col)]);
   }
-  [[nodiscard]] double scaled_border(const ChainMap::Entry& entry) const {
-    const double value =
-        values_[static_cast<std::size_t>(entry.array)][entry.source.at(0)];
-    if (scale_.empty()) return value;
-    const auto scale = [&](int local) {
-      return scale_[static_cast<std::size_t>(
-          map_.border()[static_cast<std::size_t>(local)])];
-    };
-    return value * (scale(entry.row) * scale(entry.col));
-  }
   void apply_scale(std::span<double> x) const;
 
   // Pivots.
@@ -279,10 +268,6 @@ class ChainLdlt {
   void find_targets(const Run& run, Plan& plan);
 
   // The sweep.
-  static constexpr double kThreshold = 0.1;  ///< see FrontStack::Rule
-  [[nodiscard]] FrontStack::Rule pivot_rule(bool complete,
-                                            double threshold = kThreshold);
-  void find_column_largest();
   void sweep();
   void dense_link(const Run& run, int link);
   void separator(const Section& section, const Piece& piece);
@@ -305,9 +290,7 @@ class ChainLdlt {
   FrontStack::Front front_, carried_, link_front_;
   int rejects_ = 0;         ///< interior unknowns of link_front_ left over
   std::vector<int> place_;  ///< of a link's unknowns in a front; −1: absent
-  double largest_ = 0.0;
-  /// By unknown, scaled; nothing as long as nobody asked.
-  std::optional<std::vector<double>> column_largest_;
+  double largest_ = 0.0, zero_ = 0.0;
   bool overflow_ = false;  ///< too many pivots were delayed
   Inertia inertia_;
   std::vector<double> matrix_;  ///< scratch

@@ -66,13 +66,12 @@ void ChainLdlt::dense_link(const Run& run, int link) {
   for (const ChainMap::Entry& entry : run.entries) {
     if (!run.has(entry.source, link)) continue;
     const double value = scaled(run, entry, link);
-    largest_ = larger(largest_, std::abs(value));
     const int i = place_[at(entry.row)];
     const int j = place_[at(entry.col)];
     link_front_.at(i, j) += value;
     if (i != j) link_front_.at(j, i) += value;
   }
-  fronts_.eliminate(link_front_, pivot_rule(false));
+  fronts_.eliminate(link_front_, {zero_, false});
   rejects_ = link_front_.candidates;
 }
 
@@ -150,9 +149,12 @@ void ChainLdlt::separator(const Section& section, const Piece& piece) {
       }
     }
   }
-  for (const double threshold : {kThreshold, 1e-3, 1e-5}) {
-    fronts_.eliminate(front_, pivot_rule(false, threshold));
+  FrontStack::Rule rule{zero_, false};
+  fronts_.eliminate(front_, rule);
+  for (const double threshold : {1e-3, 1e-5}) {
     if (front_.candidates <= kManyDelays) break;
+    rule.threshold = threshold;
+    fronts_.eliminate(front_, rule);
   }
   if (front_.candidates > kManyDelays) {
     overflow_ = true;
@@ -166,7 +168,11 @@ void ChainLdlt::last_front() {
   const int border = static_cast<int>(map_.border().size());
   const int first_border = carried_.size() - border;
   for (const ChainMap::Entry& entry : map_.border_entries()) {
-    const double value = scaled_border(entry);
+    double value = values_[at(entry.array)][entry.source.at(0)];
+    if (!scale_.empty()) {
+      value *= scale_[at(map_.border()[at(entry.row)])] *
+               scale_[at(map_.border()[at(entry.col)])];
+    }
     largest_ = larger(largest_, std::abs(value));
     const int i = first_border + entry.row;
     const int j = first_border + entry.col;
@@ -174,7 +180,7 @@ void ChainLdlt::last_front() {
     if (i != j) carried_.at(j, i) += value;
   }
   carried_.candidates = carried_.size();
-  fronts_.eliminate(carried_, pivot_rule(true));
+  fronts_.eliminate(carried_, {zero_, true});
   if (carried_.candidates > 0) overflow_ = true;
 }
 

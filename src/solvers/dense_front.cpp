@@ -93,10 +93,6 @@ bool FrontStack::choose(Front& front, int k, const Rule& rule, int& next,
     return true;
   };
   constexpr int kAlone = -1;
-  const auto vanishes = [&](double value, int i) {
-    return value <= rule.zero &&
-           (!rule.zero_of || value <= rule.zero_of(front.unknowns[at(i)]));
-  };
   // The largest of the ratios 1/multiplier that pivots offered.
   double best = 0.0;
   int best_row = -1;
@@ -106,7 +102,7 @@ bool FrontStack::choose(Front& front, int k, const Rule& rule, int& next,
     const int j = next;
     const ColumnMax max = column_max(front, j, k, -1);
     const double diagonal = std::abs(front.at(j, j));
-    if (vanishes(std::max(diagonal, max.value), j)) {
+    if (diagonal <= rule.zero && max.value <= rule.zero) {
       // A null vector: a pivot of zero with nothing below.
       for (int i = k; i < front.size(); ++i) {
         front.at(i, j) = front.at(j, i) = 0.0;
@@ -114,7 +110,7 @@ bool FrontStack::choose(Front& front, int k, const Rule& rule, int& next,
       return take(j, kAlone);
     }
     const double single = diagonal / max.value;
-    if (!(single < rule.threshold) && !vanishes(diagonal, j)) {
+    if (diagonal > rule.zero && !(single < rule.threshold)) {
       return take(j, kAlone);
     }
     if (single > best) {
@@ -128,6 +124,7 @@ bool FrontStack::choose(Front& front, int k, const Rule& rule, int& next,
     const double b = front.at(r, j);
     const double c = front.at(r, r);
     const double det = std::abs(a * c - b * b);
+    const double largest = std::max({std::abs(a), std::abs(b), std::abs(c)});
     // A determinant that is all cancellation is no pivot.
     const double regular = det / (std::abs(a * c) + b * b);
     // Whether at most so much can be of use: columns are looked through only
@@ -146,11 +143,7 @@ bool FrontStack::choose(Front& front, int k, const Rule& rule, int& next,
                  std::abs(b) * below_j + std::abs(a) * below_r) /
         det;
     const double pair = std::min(1.0 / growth, regular);
-    const auto is_rounding = [&] {
-      return vanishes(std::max(std::abs(a), std::abs(b)), j) &&
-             vanishes(std::max(std::abs(b), std::abs(c)), r);
-    };
-    if (!(pair < rule.threshold) && !is_rounding()) {
+    if (largest > rule.zero && !(pair < rule.threshold)) {
       return take(j, r);
     }
     if (pair > best) {

@@ -7,7 +7,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -45,9 +44,6 @@ class FrontStack {
     /// A pivot d is taken if its multipliers, those of 2×2 pivots likewise, are
     /// at most 1/threshold (Duff and Reid).
     double threshold = 0.1;
-    /// If there is one, a null vector is no larger than this either, which is
-    /// asked only where it is no larger than `zero`.
-    std::function<double(int unknown)> zero_of = {};
   };
 
   void clear();

@@ -335,9 +335,11 @@ bool is_key_of_sweep(std::string_view key) {
 }
 
 bool is_key_of_range(std::string_view key) {
-  constexpr std::string_view kKeys[] = {"from",    "to",   "count",
-                                        "spacing", "seed", "ranges"};
-  return std::ranges::count(kKeys, key) > 0;
+  const auto knows = [&](const KeySpec& map) {
+    return std::ranges::count(map.value.items, key, &KeySpec::path) > 0;
+  };
+  return knows(range_of(number_item("", KeyType::Integer), true)) ||
+         std::ranges::any_of(keys_beside_swept(), knows);
 }
 
 const SweepEntry* SweepSection::find(std::string_view path) const {

@@ -22,9 +22,9 @@ struct FittedPath {
   LimitedEnds ends;
   LimitedCurve curve;  ///< of a problem whose limits are equations or absent
   ContactMismatch mismatch;
-  /// Of T, where rounding leaves more of the equations than elsewhere.
+  /// What rounding leaves of the equations, where more than elsewhere.
   double missed = 0.0;
-  /// Relative to T, apart from that of the mesh.
+  /// Both are relative to T. What the mesh errs by comes on top.
   [[nodiscard]] double error_of_conditions() const {
     return mismatch.largest() + missed;
   }

@@ -45,7 +45,7 @@ as_stranger() {
   grep -q '</svg>' /tmp/track/path.svg
 
   say "what else they promise"
-  # docs/validation.md, "the base case".
+  # docs/validation.md, reference_case.
   timed brachisto solve problems/paper/fig04_reference_case.yaml
   printed 'τ = T √(2g/H) = 5\.09344446'
   cat >/tmp/case.py <<'END'

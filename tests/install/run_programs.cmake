@@ -14,7 +14,7 @@ function(expect code pattern program)
   endif()
 endfunction()
 
-# docs/validation.md, "the base case".
+# docs/validation.md, reference_case.
 expect(0 "tau = 5\\.09344446" solve_scene)
 # By hand: √3, with the switch at 1/√3 and the speed 2/√3.
 expect(0 "^verified: 1\\.73205080[78].*yes\nswitch at 0\\.5774, v there 1\\.1547" least_time)

@@ -32,7 +32,7 @@ expect('the page is small', statSync(file).size < MOST_BYTES,
 
 const page = await Page.open(program, pathToFileURL(file).href);
 try {
-  // docs/validation.md, "the base case".
+  // docs/validation.md, reference_case.
   expect('the answer is confirmed',
     await page.becomes(`${text('verdict')}.startsWith('Confirmed')`));
   expect('  and is that of the base case',

@@ -8,6 +8,7 @@
     side_by_side.py build/release/src/app/brachisto --count 1000 --seed 17 --push --extremals
     side_by_side.py build/release/src/app/brachisto --count 300 --seed 17 --planet outside
     side_by_side.py build/release/src/app/brachisto --count 30 --seed 5 --push --rates
+    side_by_side.py build/release/src/app/brachisto --count 300 --seed 17 --limits
 
 Makes a sweep of random scenes, runs it with `solver.method: auto` and with `ipopt` and tells how
 many were left to their own solves, whether verdicts are equal, and by how much T differs. What is
@@ -53,6 +54,11 @@ PLANET = """      scene.field.sphere.centre.x: {{from: 1, to: 5}}
       scene.field.sphere.surface_gravity: {{from: 3, to: 20}}
 """
 PLANETS = {"outside": PLANET.format(least=2, most=7), "inside": PLANET.format(least=17.5, most=30)}
+# Some paths keep within them and some do not.
+LIMITS = """      scene.limits.floor: {from: 1.2, to: 2.2}
+      scene.limits.normal_force.max: {from: 2, to: 8}
+      scene.limits.fold_margin: {from: 0, to: 0.5}
+"""
 VERDICTS = ("verified", "feasible", "status")
 ALONE = ("solver.method=ipopt",)
 TO_LAST_DIGITS = ("discretisation.tolerance=1e-13",)
@@ -80,6 +86,7 @@ def main():
     parser.add_argument("--air", action="store_true", help="each scene in an air of its own")
     parser.add_argument("--push", action="store_true", help="each scene with a start speed of its own")
     parser.add_argument("--planet", choices=PLANETS, help="each scene in the field of a sphere of its own")
+    parser.add_argument("--limits", action="store_true", help="each scene under limits of its own")
     how = parser.add_mutually_exclusive_group()
     how.add_argument("--extremals", action="store_true", help="compare with extremals to 1e-13")
     how.add_argument("--rates", action="store_true", help="compare first derivatives too")
@@ -90,7 +97,7 @@ def main():
         folder = pathlib.Path(name)
         problem = folder / "scenes.yaml"
         problem.write_text(text + (AIR if asked.air else "") + (PUSH if asked.push else "")
-                           + PLANETS.get(asked.planet, ""))
+                           + (LIMITS if asked.limits else "") + PLANETS.get(asked.planet, ""))
         beside, alone = (
             rows(asked.program, problem, str(folder / out), asked.jobs, settings)
             for out, settings in (("beside", ("solver.method=auto", *(RATES if asked.rates else ()))),

@@ -43,9 +43,11 @@ std::optional<double> read_number(
         type != KeyType::Integer || number == std::trunc(number);
     // No −0, which would be shown so.
     if (integral && interval.contains(number)) return number + 0.0;
-    return refuse(fmt::format("{} is not {}; expected {}",
-                              in_quotes(value.text),
-                              integral ? "allowed" : "an integer", expected));
+    const bool beyond = number > interval.upper && !interval.tells_upper();
+    return refuse(fmt::format(
+        "{} is not {}; expected {}{}", in_quotes(value.text),
+        integral ? "allowed" : "an integer", expected,
+        beyond ? fmt::format(", at most {:.0f}", interval.upper) : ""));
   } catch (const ExpressionError& error) {
     return refuse(not_a_number(value.text, error, expected));
   }

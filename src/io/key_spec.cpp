@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 namespace brachisto::io {
@@ -27,7 +26,7 @@ std::string short_number(double value) {
 
 std::string words_of(const Interval& interval) {
   if (std::isinf(interval.lower)) return "";
-  if (interval.upper >= std::numeric_limits<int>::max()) {
+  if (!interval.tells_upper()) {
     return fmt::format("{} {}", interval.lower_allowed ? "≥" : ">",
                        short_number(interval.lower));
   }

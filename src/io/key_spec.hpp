@@ -57,6 +57,11 @@ struct Interval {
     return (lower_allowed ? value >= lower : value > lower) &&
            (upper_allowed ? value <= upper : value < upper);
   }
+  /// Whether the upper end is told. That of the integers of a program is where
+  /// one exceeds it.
+  [[nodiscard]] bool tells_upper() const {
+    return upper < std::numeric_limits<int>::max();
+  }
 };
 
 inline constexpr Interval kPositive{.lower = 0.0, .lower_allowed = false};

@@ -559,9 +559,9 @@ Keys solver_keys() {
                                         {"extremal", MethodWord::Extremal},
                                         {"fsolve", MethodWord::Fsolve},
                                         {"auto", MethodWord::Auto}}),
-       "auto: free scenes of a sweep side by side by the indirect method, all "
-       "others as ipopt; ipopt: collocation and a nonlinear program; "
-       "newton_kkt: the same by "
+       "auto: scenes of a sweep whose free path keeps clear of all limits side "
+       "by side by the indirect method, all others as ipopt; ipopt: "
+       "collocation and a nonlinear program; newton_kkt: the same by "
        "Newton's method on its optimality conditions, from the continuation; "
        "extremal: Pontryagin's conditions by multiple shooting; fsolve: the "
        "paper's discrete system, for comparison, never verified"},

@@ -149,15 +149,10 @@ std::optional<FittedPath> LimitedWays::arcs_from(const LimitedCurve& mesh) {
 /// How far follow_from_loosest() came.
 std::string LimitedWays::followed() const {
   if (!(reached_ > 0.0)) return {};
-  std::string where;
-  for (const PathInequality& limit : tightening_.relaxation().at(reached_)) {
-    if (limit.kind != PathInequality::Kind::FrictionForward) continue;
-    where = fmt::format(", to friction {:.3g}", limit.number);
-  }
   return fmt::format(
       ". From limits that the free path keeps it was followed {:.3g} of the "
-      "way to these{}; not further",
-      reached_, where);
+      "way to these; not further",
+      reached_);
 }
 
 /// From the loosest limits.

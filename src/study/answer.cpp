@@ -122,8 +122,7 @@ std::vector<ActiveArc> active_arcs(const std::vector<Arc>& arcs,
 
 /// Of limits that hold nowhere.
 void add_least_slacks(const std::vector<StatedLimit>& asked,
-                      const LimitedMotion& motion,
-                      std::vector<LimitOnPath>& limits) {
+                      const Motion& motion, std::vector<LimitOnPath>& limits) {
   std::vector<std::function<double(const TrajectoryPoint&)>> slacks;
   std::vector<LimitOnPath*> of;
   for (std::size_t i = 0; i < asked.size(); ++i) {
@@ -190,6 +189,16 @@ std::vector<LimitOnPath> limits_on_path(const PosedProblem& posed,
 }
 
 }  // namespace
+
+std::vector<LimitOnPath> limits_held_nowhere(const Motion& motion) {
+  const std::vector<StatedLimit> asked = stated_limits(motion.scene());
+  std::vector<LimitOnPath> out;
+  for (const StatedLimit& limit : asked) {
+    out.push_back({limit.name, limit.bound, {}, 0.0, 0.0, 0.0, 0.0});
+  }
+  add_least_slacks(asked, motion, out);
+  return out;
+}
 
 Answered answer_of(const PosedProblem& posed, const MeshAnswer& found,
                    std::optional<double> transit_time) {

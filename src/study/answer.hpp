@@ -38,6 +38,11 @@ struct Answered {
 /// \throws std::invalid_argument  if the path that the scene states cannot be
 [[nodiscard]] Answered answer_on_given_path(const PosedProblem& posed);
 
+/// The limits of a scene on a path that reaches none of them: T does not change
+/// with their bounds.
+[[nodiscard]] std::vector<LimitOnPath> limits_held_nowhere(
+    const Motion& motion);
+
 /// What tests say of an answer.
 struct Certified {
   Certificate certificate;

@@ -3,6 +3,8 @@
 
 #include "study/in_lanes.hpp"
 
+#include <cstddef>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -10,7 +12,9 @@
 #include "math/wall_clock.hpp"
 #include "model/scene_checker.hpp"
 #include "model/units.hpp"
+#include "study/answer.hpp"
 #include "study/answer_kinds.hpp"
+#include "trajectory/stated_limits.hpp"
 
 namespace brachisto {
 
@@ -20,7 +24,24 @@ namespace {
 /// see LaneRates.
 constexpr double kLeastOfRates = 1e-11;
 
-bool fits(const SceneToSolve& posed) {
+/// What is asked of an extremal.
+enum class Asked { Certificate, Estimate };
+
+Scene within_no_limits(Scene scene) {
+  scene.limits = {};
+  return scene;
+}
+
+/// Under limits the motion has to be known, and its derivatives are those of
+/// arcs.
+bool limits_fit(const SceneToSolve& posed, Asked asked) {
+  return !posed.scene.limits.any() ||
+         (asked == Asked::Certificate &&
+          posed.options.or_default<Collocation>().sensitivities ==
+              SensitivityOrder::None);
+}
+
+bool fits(const SceneToSolve& posed, Asked asked) {
   const auto* program = posed.options.of<Collocation>();
   return program != nullptr && program->in_lanes &&
          posed.options.follows_the_branch() &&
@@ -30,7 +51,8 @@ bool fits(const SceneToSolve& posed) {
           program->discretisation.wanted_tolerance() >= kLeastOfRates) &&
          program->discretisation.formulation == Formulation::RollingTime &&
          !program->discretisation.fixed() && !program->discretisation.degree &&
-         lanes::fits(posed.scene) && validate(posed.scene).empty() &&
+         lanes::fits(within_no_limits(posed.scene)) &&
+         limits_fit(posed, asked) && validate(posed.scene).empty() &&
          // With a warning of more than a turn it is told alone.
          without_whole_turns(posed.scene).body.theta_m ==
              posed.scene.body.theta_m;
@@ -41,15 +63,25 @@ double wanted(const SceneToSolve& posed) {
       .discretisation.wanted_tolerance();
 }
 
-/// What is asked of an extremal.
-enum class Asked { Certificate, Estimate };
+/// By how much the limit is exceeded that is exceeded most, in natural units:
+/// less than 0 within all.
+double excess(const std::vector<LimitOnPath>& limits, const Scene& scene) {
+  const std::vector<StatedLimit> stated = stated_limits(scene);
+  double most = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    const double here = -limits[i].least_slack * stated[i].natural;
+    // Written so that no number stays.
+    if (!(here <= most)) most = here;
+  }
+  return most;
+}
 
 std::optional<Solution> judged(const SceneToSolve& posed,
                                const lanes::Extremal& extremal, Asked asked) {
   if (!extremal.found || !(extremal.error_estimate <= wanted(posed))) {
     return std::nullopt;
   }
-  const PosedScene in_units(posed.scene);
+  const PosedScene in_units(within_no_limits(posed.scene));
   Solution out;
   out.scene = posed.scene;
   out.options = posed.options;
@@ -62,6 +94,12 @@ std::optional<Solution> judged(const SceneToSolve& posed,
   out.answer = std::move(answer);
   if (asked == Asked::Estimate) return out;
   out.certificate = certify(motion);
+  if (posed.scene.limits.any()) {
+    // Next to a bound it may take arcs, which its own solve has.
+    constexpr double kClear = 1e-4;
+    out.limits = limits_held_nowhere(motion);
+    out.certificate.add("limits", excess(out.limits, posed.scene), -kClear);
+  }
   if (!out.verified()) return std::nullopt;
   out.diagnostics = motion.diagnose();
   if (!out.undecided_because().empty()) return std::nullopt;
@@ -79,28 +117,31 @@ enum class Tried { Another, Same };
 /// Scenes with what became of them.
 class Batch {
  public:
-  explicit Batch(std::span<const SceneToSolve> scenes)
-      : scenes_(scenes), lost_(scenes.size()), out_(scenes.size()) {
+  Batch(std::span<const SceneToSolve> scenes, Asked asked)
+      : scenes_(scenes),
+        asked_(asked),
+        lost_(scenes.size()),
+        out_(scenes.size()) {
     for (std::size_t i = 0; i < scenes.size(); ++i) {
-      if (fits(scenes[i])) places_.push_back(i);
+      if (fits(scenes[i], asked)) places_.push_back(i);
     }
   }
 
   /// Those that nothing is known of yet, as far as this is enough for them and
   /// its way is not the one that they were lost on.
-  void attempt(double least_tolerance, Asked asked, Tried how, auto&& shoot) {
+  void attempt(double least_tolerance, Tried how, auto&& shoot) {
     std::vector<std::size_t> left;
     std::vector<Scene> tried;
     for (const std::size_t place : places_) {
       if (out_[place] || wanted(scenes_[place]) < least_tolerance) continue;
       if (lost_[place] && how == Tried::Same) continue;
       left.push_back(place);
-      tried.push_back(scenes_[place].scene);
+      tried.push_back(within_no_limits(scenes_[place].scene));
     }
     if (left.empty()) return;
     const std::vector<lanes::Extremal> found = shoot(tried);
     for (std::size_t i = 0; i < left.size(); ++i) {
-      out_[left[i]] = judged(scenes_[left[i]], found[i], asked);
+      out_[left[i]] = judged(scenes_[left[i]], found[i], asked_);
       lost_[left[i]] = !found[i].found;
     }
   }
@@ -117,18 +158,18 @@ class Batch {
 
  private:
   std::span<const SceneToSolve> scenes_;
+  Asked asked_;
   std::vector<std::size_t> places_;  ///< of those that fit
   std::vector<bool> lost_;  ///< without an extremal at the last attempt
   std::vector<std::optional<Solution>> out_;
 };
 
 /// From the cycloid.
-void solve_anew(Batch& batch, Asked asked) {
+void solve_anew(Batch& batch) {
   for (const lanes::Fineness& fineness : {lanes::kPlain, lanes::kFine}) {
-    batch.attempt(0.0, asked, Tried::Another,
-                  [&](const std::vector<Scene>& tried) {
-                    return lanes::shoot(tried, fineness);
-                  });
+    batch.attempt(0.0, Tried::Another, [&](const std::vector<Scene>& tried) {
+      return lanes::shoot(tried, fineness);
+    });
   }
 }
 
@@ -137,8 +178,8 @@ void solve_anew(Batch& batch, Asked asked) {
 std::vector<std::optional<Solution>> solve_in_lanes(
     std::span<const SceneToSolve> scenes) {
   const WallClock::time_point begin = WallClock::now();
-  Batch batch(scenes);
-  solve_anew(batch, Asked::Certificate);
+  Batch batch(scenes, Asked::Certificate);
+  solve_anew(batch);
   return batch.take(seconds_since(begin));
 }
 
@@ -148,21 +189,19 @@ std::vector<std::optional<Solution>> seek_in_lanes(
   constexpr double kOfRough = 1e-8;
   constexpr lanes::Fineness kBeside{2, 10, lanes::kPlain.places, 1};
   const WallClock::time_point begin = WallClock::now();
-  Batch batch(scenes);
+  Batch batch(scenes, Asked::Estimate);
   const auto* known =
       beside == nullptr ? nullptr : answer_as<LaneAnswer>(beside->answer);
   if (known != nullptr) {
     for (const auto& [fineness, least] :
          {std::pair(kRough, kOfRough), std::pair(kBeside, 0.0)}) {
-      batch.attempt(least, Asked::Estimate, Tried::Same,
-                    [&](const std::vector<Scene>& tried) {
-                      return lanes::shoot_beside(tried, beside->scene,
-                                                 *known->motion.extremal(),
-                                                 fineness);
-                    });
+      batch.attempt(least, Tried::Same, [&](const std::vector<Scene>& tried) {
+        return lanes::shoot_beside(tried, beside->scene,
+                                   *known->motion.extremal(), fineness);
+      });
     }
   }
-  solve_anew(batch, Asked::Estimate);
+  solve_anew(batch);
   return batch.take(seconds_since(begin));
 }
 

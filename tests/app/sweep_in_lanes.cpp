@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/command.hpp"
@@ -81,15 +82,17 @@ INSTANTIATE_TEST_SUITE_P(Worlds, SweepInLanesOf,
                                            "scene.start.speed=1"),
                          world_of);
 
-/// So accurate, and so far, that some scenes are left to their own solves.
-TEST(SweepInLanes, IsTheSameWhoeverSolvesIt) {
-  const std::vector<std::string> accurate{
-      "--set", "solver.method=auto", "--set", "discretisation.tolerance=1e-13",
-      "--set", "scene.finish.L=5"};
+class MixedSweep
+    : public ::testing::TestWithParam<std::pair<const char*, const char*>> {};
+
+TEST_P(MixedSweep, IsTheSameWhoeverSolvesIt) {
+  const std::vector<std::string> mixed{"--set", "solver.method=auto",
+                                       "--set", GetParam().first,
+                                       "--set", GetParam().second};
   for (const char* warm : {"sweep.warm_start=false", "sweep.warm_start=true"}) {
     const ScratchDirectory scratch;
     const auto with = [&](std::vector<std::string> more) {
-      more.insert(more.end(), accurate.begin(), accurate.end());
+      more.insert(more.end(), mixed.begin(), mixed.end());
       more.insert(more.end(), {"--set", warm});
       return more;
     };
@@ -126,6 +129,14 @@ TEST(SweepInLanes, IsTheSameWhoeverSolvesIt) {
     EXPECT_EQ(table_of(scratch, "merged"), table_of(scratch, "one"));
   }
 }
+
+/// So accurate, and so far, that some scenes are left to their own solves, and
+/// with a floor that some paths touch.
+INSTANTIATE_TEST_SUITE_P(
+    Of, MixedSweep,
+    ::testing::Values(
+        std::pair("discretisation.tolerance=1e-13", "scene.finish.L=5"),
+        std::pair("scene.finish.L=3", "scene.limits.floor=1.35")));
 
 }  // namespace
 }  // namespace brachisto

@@ -108,6 +108,9 @@ TEST(StrictValues, IntegerBoundsAreKept) {
             "p.yaml:2:31: solver.limits.iterations: \"0\" is not allowed; "
             "expected an integer, ≥ 1");
   EXPECT_EQ(errors(kBead + "solver: {limits: {iterations: 2147483647}}\n"), "");
+  EXPECT_EQ(errors(kBead + "solver: {limits: {iterations: 2147483648}}\n"),
+            "p.yaml:2:31: solver.limits.iterations: \"2147483648\" is not "
+            "allowed; expected an integer, ≥ 1, at most 2147483647");
 }
 
 TEST(StrictValues, TimeLimitIsPositive) {

@@ -208,6 +208,10 @@ void check_contact(const Scene& scene, SceneChecker& check) {
   }
 }
 
+bool slope_at_B_is_free(const Scene& scene) {
+  return scene.contact == Contact::Smooth || scene.contact == Contact::Optimal;
+}
+
 void check_floor(const Scene& scene, SceneChecker& check) {
   const double floor = *scene.limits.floor;
   const double r = scene.body.radius;
@@ -217,9 +221,7 @@ void check_floor(const Scene& scene, SceneChecker& check) {
     check.add(kFloor, fmt::format("{} m is not allowed: it must be {} {} m, {}",
                                   floor, relation, bound, reason));
   };
-  const bool slope_is_free =
-      scene.contact == Contact::Smooth || scene.contact == Contact::Optimal;
-  if (slope_is_free && r > 0.0) {
+  if (slope_at_B_is_free(scene) && r > 0.0) {
     if (floor <= scene.H + (R - r)) {
       return refuse(
           scene.body.ball ? "more than H + R − r_e =" : "more than H =",
@@ -229,7 +231,7 @@ void check_floor(const Scene& scene, SceneChecker& check) {
     }
   } else {
     const double lowest = scene.contact == Contact::Centre ? R
-                          : slope_is_free
+                          : slope_at_B_is_free(scene)
                               ? 0.0
                               : R - r + r * (1.0 - std::cos(*scene.end_slope));
     const double least = scene.H + lowest;
@@ -280,9 +282,19 @@ void check_clearance(const Scene& scene, SceneChecker& check) {
     }
     for (std::size_t i = 0; i < scene.limits.half_planes.size(); ++i) {
       const HalfPlane& plane = scene.limits.half_planes[i];
-      keep_off("half_plane", i,
-               (end.at.x - plane.point.x) * std::cos(plane.normal) +
-                   (end.at.z - plane.point.z) * std::sin(plane.normal));
+      const double off = (end.at.x - plane.point.x) * std::cos(plane.normal) +
+                         (end.at.z - plane.point.z) * std::sin(plane.normal);
+      if (end.name == 'B' && scene.body.rolls() && slope_at_B_is_free(scene) &&
+          std::abs(off) <= kBoundSlack * (scene.L + scene.H)) {
+        check.add(kClearOf,
+                  fmt::format("half_plane number {} is not allowed: B = ({}, "
+                              "{}) lies on its edge, and on any slope but that "
+                              "of the edge a body that stands there reaches "
+                              "into it",
+                              i + 1, end.at.x, end.at.z));
+      } else {
+        keep_off("half_plane", i, off);
+      }
     }
   }
 }

@@ -144,6 +144,46 @@ std::vector<Arc> halved(std::vector<Arc> arcs) {
   return arcs;
 }
 
+std::optional<std::vector<Arc>> graded_where_signs_err(
+    const LimitedCurve& curve, std::vector<Arc> arcs) {
+  constexpr double kOfWorst = 0.1;
+  constexpr int kHalvings = 10;
+  // In front of each arc and at B, how wrong a sign is nearest to there.
+  std::vector<double> wrong(arcs.size() + 1, 0.0);
+  int e = 0;
+  for (std::size_t a = 0; a < arcs.size(); ++a) {
+    const std::vector<double>& cuts = arcs[a].cuts;
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i, ++e) {
+      for (const double t : curve.problem().scheme().rule.points) {
+        const std::vector<double> multipliers = curve.at(e, t).multipliers;
+        double& most =
+            wrong[std::lerp(cuts[i], cuts[i + 1], t) < 0.5 ? a : a + 1];
+        for (std::size_t j = 0; j < multipliers.size(); ++j) {
+          const nlp::Held held = arcs[a].held[j];
+          if (held == nlp::Held::No) continue;
+          most = std::max(most, held == nlp::Held::AtLower ? multipliers[j]
+                                                           : -multipliers[j]);
+        }
+      }
+    }
+  }
+  const double worst = std::ranges::max(wrong);
+  if (!(worst > 0.0)) return std::nullopt;
+  for (std::size_t a = 0; a < arcs.size(); ++a) {
+    std::vector<double>& cuts = arcs[a].cuts;
+    const double first = cuts[1], last = 1.0 - cuts[cuts.size() - 2];
+    for (int k = 1; k <= kHalvings; ++k) {
+      const double share = std::ldexp(1.0, -k);
+      if (wrong[a] >= kOfWorst * worst) cuts.push_back(share * first);
+      if (wrong[a + 1] >= kOfWorst * worst) cuts.push_back(1.0 - share * last);
+    }
+    std::ranges::sort(cuts);
+    const auto doubles = std::ranges::unique(cuts);
+    cuts.erase(doubles.begin(), doubles.end());
+  }
+  return arcs;
+}
+
 std::vector<Arc> with_elements(std::vector<Arc> arcs, int wanted) {
   int left = wanted;
   double begin = 0.0;

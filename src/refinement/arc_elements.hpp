@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "refinement/arcs.hpp"
@@ -39,6 +40,12 @@ bool divide(const LimitedCurve& curve, const LimitedCurve& finer,
 
 /// The same arcs with each element in two.
 [[nodiscard]] std::vector<Arc> halved(std::vector<Arc> arcs);
+
+/// The same arcs with elements that grow shorter towards junctions near which a
+/// multiplier has the wrong sign: where it vanishes, what the path does in a
+/// thin layer behind may turn it. Nothing if none has.
+[[nodiscard]] std::optional<std::vector<Arc>> graded_where_signs_err(
+    const LimitedCurve& curve, std::vector<Arc> arcs);
 
 /// The same arcs on so many equal elements, or one on each.
 [[nodiscard]] std::vector<Arc> with_elements(std::vector<Arc> arcs, int wanted);

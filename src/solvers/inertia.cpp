@@ -77,14 +77,15 @@ Inertia kkt_inertia(nlp::Problem& problem, const PrimalDual& point,
   std::vector<double> jac(problem.jac_g_pattern().num_entries());
   problem.eval_jac_g(jac);
 
-  Inertia inertia;
-  if (active.num_equations() > active.num_free()) {
-    if (solver == LinearSolver::Chain) return inertia;
+  const auto despite_dependence = [&]() -> Inertia {
+    if (solver == LinearSolver::Chain) return {};
     constexpr double kBelow = -1e-8;
-    inertia = mumps_inertia(problem, active, hess, jac, kBelow);
-    inertia.known = inertia.known && inertia.positive == active.num_free();
-    return inertia;
-  }
+    Inertia found = mumps_inertia(problem, active, hess, jac, kBelow);
+    found.known = found.known && found.positive == active.num_free();
+    return found;
+  };
+  if (active.num_equations() > active.num_free()) return despite_dependence();
+  Inertia inertia;
   if (solver != LinearSolver::Mumps) {
     const std::unique_ptr<ChainLdlt> chain = make_chain_ldlt(problem, active);
     const std::array<std::span<const double>, 2> values = {hess, jac};
@@ -93,7 +94,8 @@ Inertia kkt_inertia(nlp::Problem& problem, const PrimalDual& point,
   if (!inertia.known && solver != LinearSolver::Chain) {
     inertia = mumps_inertia(problem, active, hess, jac);
   }
-  return inertia;
+  const bool beyond = inertia.known && inertia.positive > active.num_free();
+  return beyond ? despite_dependence() : inertia;
 }
 
 }  // namespace brachisto

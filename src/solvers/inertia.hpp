@@ -24,11 +24,13 @@ struct Inertia {
 /// factorisation with pivoting. With LinearSolver::Chain it is unknown for a
 /// problem that states no chain structure; Auto tries the chain, then MUMPS.
 ///
-/// More constraints than variables depend on each other, and rounding gives the
-/// zero eigenvalues any sign. Then −δ I takes the place of 0, by MUMPS alone:
-/// with it the matrix has as many positive eigenvalues as H + Jᵀ J/δ, and if
-/// these are n, H is positive definite on the null space of J whatever δ > 0
-/// is. If they are fewer nothing is known. The others are of that matrix.
+/// More constraints than variables depend on each other, and fewer may; rounding
+/// gives the zero eigenvalues any sign. Where there are more constraints, or
+/// more positive eigenvalues than variables, which no such matrix has, −δ I
+/// takes the place of 0, by MUMPS alone: with it the matrix has as many positive
+/// eigenvalues as H + Jᵀ J/δ, and if these are n, H is positive definite on the
+/// null space of J whatever δ > 0 is. If they are fewer nothing is known. The
+/// others are of that matrix.
 ///
 /// (n, m, 0) for n free variables and m constraints means that the Hessian of
 /// the Lagrangian is positive definite on the null space of J: at a stationary

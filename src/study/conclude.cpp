@@ -108,6 +108,15 @@ void conclude(const PosedProblem& posed, const LimitedAnswer& found,
 
 namespace {
 
+/// Otherwise its effort alone.
+void take_if_verified(Solution other, Solution& out) {
+  if (other.verified()) {
+    out = std::move(other);
+  } else {
+    out.effort = other.effort;
+  }
+}
+
 /// From a path that fails its certificate, for the sign of a multiplier say, to
 /// another one that its program leads to; nothing changes if that is not
 /// verified.
@@ -120,14 +129,32 @@ void conclude_elsewhere(const PosedProblem& posed, const LimitedCurve& curve,
                        posed.program.discretisation,
                        posed.mesh_options_after(out.effort), ItsArcs::Known),
       other);
-  if (other.verified()) {
-    other.message += fmt::format(
-        ". It takes the place of another path, which was not verified: {}",
-        fmt::join(not_verified_because(out.certificate), "; "));
-    out = std::move(other);
-  } else {
-    out.effort = other.effort;
-  }
+  other.message += fmt::format(
+      ". It takes the place of another path, which was not verified: {}",
+      fmt::join(not_verified_because(out.certificate), "; "));
+  take_if_verified(std::move(other), out);
+}
+
+/// Where nothing but the sign of a multiplier is wrong, on elements that are
+/// short next to its junction; nothing changes if that is not verified.
+void conclude_graded(const PosedProblem& posed, const FittedPath& path,
+                     Solution& out) {
+  const bool signs_alone =
+      std::ranges::all_of(out.certificate.checks, [](const Check& check) {
+        return check.passed || check.name == "multiplier_signs";
+      });
+  auto arcs = signs_alone ? graded_where_signs_err(path.curve, path.arcs)
+                          : std::nullopt;
+  if (!arcs) return;
+  FittedPath graded = path;
+  graded.arcs = *std::move(arcs);
+  const auto finer =
+      refine_limited_beside(*posed.limited, posed.program.discretisation,
+                            graded, posed.mesh_options_after(out.effort));
+  if (!finer) return;
+  Solution other = out;
+  conclude(posed, *finer, other);
+  take_if_verified(std::move(other), out);
 }
 
 /// As conclude_resolved() does, which adds where the path came from.
@@ -154,10 +181,14 @@ void conclude_again_and_again(const PosedProblem& posed,
       return true;
     };
     auto held = held_from_rest(path.curve, path.arcs);
+    if (!held && held_back_at_rest(path.curve, path.arcs)) {
+      held = turned_from_rest(path.curve.problem(), path.arcs);
+    }
     if (round == kRounds || (!(held && resolved_by(*std::move(held))) &&
                              !(under_resolved(out.certificate) &&
                                resolved_by(halved(path.arcs))))) {
-      if (elsewhere == Elsewhere::WithoutArcs) {
+      conclude_graded(posed, path, out);
+      if (!out.verified() && elsewhere == Elsewhere::WithoutArcs) {
         conclude_elsewhere(posed, path.curve, out);
       }
       return;

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "model/contact.hpp"
+#include "model/path_inequality.hpp"
 #include "trajectory/self_crossing.hpp"
 
 namespace brachisto {
@@ -104,7 +105,7 @@ std::vector<std::string> undecided_because(const Scene& scene,
     constexpr double kKept = 1e-6;  // a hundred times a certificate's threshold
     if (least.value >= bound - kKept) return;
     reasons.push_back(fmt::format(
-        "{} is {:.2g}{} below its bound {} {}, between points of this mesh",
+        "{} is {:.2g}{} below its bound {:.6g} {}, between points of this mesh",
         what, bound - least.value, unit, bound, place_text(least)));
   };
   const PathLimits& limits = scene.limits;
@@ -121,9 +122,18 @@ std::vector<std::string> undecided_because(const Scene& scene,
     ask("least R_n after its first rise", path.normal_force_after_rise,
         path.normal_force_error, " m g");
   }
-  if (limits.fold_margin) {
-    between("1 − r κ_c", path.min_fold_margin, *limits.fold_margin, "");
-  } else {
+  for (const PathInequality& limit : inequalities(scene.body, limits)) {
+    const double K = limit.number;
+    if (limit.kind == PathInequality::Kind::Hump) {
+      between("1 − r κ_c", path.min_fold_margin,
+              1.0 - scene.body.folding_distance() * K, "");
+    }
+    if (limit.kind == PathInequality::Kind::Valley) {
+      between("κ_b", path.min_curvature, -K / (1.0 + scene.body.radius * K),
+              " 1/m");
+    }
+  }
+  if (!limits.fold_margin) {
     ask("least 1 − r κ_c", path.min_fold_margin, path.fold_margin_error, "");
   }
   return reasons;

@@ -299,6 +299,18 @@ INSTANTIATE_TEST_SUITE_P(
               },
               "scene.limits.clear_of",
               "half_plane number 1 is not allowed: B = (3, 1) lies in it"},
+        Asked{"EdgeThroughB", uniform_scene(),
+              [](Scene& s) {
+                s.limits.half_planes = {{{0.0, 1.0}, -0.5 * kPi}};
+              },
+              "scene.limits.clear_of",
+              "half_plane number 1 is not allowed: B = (3, 1) lies on its "
+              "edge"},
+        Asked{"EdgeThroughBAlongTheTrack", with_end_slope(uniform_scene(), 0.0),
+              [](Scene& s) {
+                s.limits.half_planes = {{{0.0, 1.0}, -0.5 * kPi}};
+              },
+              "", ""},
         Asked{"HalfPlaneBehindB", uniform_scene(),
               [](Scene& s) {
                 s.limits.half_planes = {{{3.1, 0.0}, kPi}};

@@ -407,6 +407,79 @@ TEST(HardLimits, ForcesOfASmallBodyAreHeldToTheirRounding) {
   }
 }
 
+/// A slope at A that is free would rather be within the static cone: the path
+/// turns as fast as humps may for a millionth of its length until it comes to
+/// the limit on forces, which from rest on would turn it faster still.
+TEST(HardLimits, FreeSlopesAreLedToTheLimitOnForcesByTheBoundOfHumps) {
+  PathLimits load, friction, all;
+  load.normal_min = 0.4875;
+  load.normal_max = 2.0;
+  load.curvature.hump = 2.0;
+  friction.friction = 0.5;
+  friction.curvature.hump = 1.3;
+  friction.curvature.valley = 1.9;
+  Scene small = cylinder_scene(0.028, 0.0, 0.0, 0.35, 0.8, load);
+  small.H = 0.2;
+  Scene off_centred = cylinder_scene(0.24, 0.2, -15.0, 0.5, 4.0, friction);
+  off_centred.H = 0.92;
+  all.friction = 0.815;
+  all.normal_max = 3.95;
+  all.curvature.hump = 1.02;
+  all.curvature.valley = 1.22;
+  Scene in_field = cylinder_scene(0.141, 0.0, 0.0, 0.326, 3.696, all);
+  in_field.H = 1.896;
+  in_field.world.losses.rolling = 0.0013;
+  in_field.world.sphere = Sphere{{-1.1, 29.0}, 37.6, 9.81};
+  for (Scene* scene : {&small, &off_centred, &in_field}) {
+    scene->contact = Contact::Optimal;
+    const double hump = *scene->limits.curvature.hump;
+
+    const Solution found = confirmed(*scene);
+
+    ASSERT_TRUE(found.diagnostics && found.extremal);
+    EXPECT_LE(found.extremal->difference, 1e-13);
+    EXPECT_LE(found.diagnostics->max_curvature.value, hump * (1.0 + 1e-9));
+  }
+}
+
+/// A ball in a sharp groove has the moment of many: its slope turns in a layer
+/// behind the arc along which its friction is used up, which changes the sign
+/// of the multiplier at the last point of that arc on coarse elements.
+TEST(HardLimits, SignsAreRightNextToThinLayers) {
+  for (const double angle : {12.0, 2.0}) {
+    PathLimits limits;
+    limits.friction = 0.6;
+    Scene scene = cylinder_scene(0.1, 0.0, 0.0, 0.4, 2.0, limits);
+    scene.body = Body::rolling_ball(
+        {.radius = 0.1, .k = 0.4, .groove = angle * std::numbers::pi / 180.0},
+        0.0);
+
+    const Solution found = confirmed(scene);
+
+    ASSERT_TRUE(found.extremal) << angle;
+    EXPECT_LE(found.extremal->difference, 1e-12) << angle;
+  }
+}
+
+/// On a mesh without arcs equations depend on each other, and one of the zero
+/// eigenvalues is counted as positive.
+TEST(HardLimits, NoMatrixHasMorePositiveEigenvaluesThanVariables) {
+  PathLimits limits;
+  limits.friction = 2.0;
+  limits.curvature.hump = 3.9;
+  limits.curvature.valley = 5.6;
+  Scene scene = cylinder_scene(0.073, 0.48, -120.0, 0.7, 0.8, limits);
+  scene.H = 0.29;
+  scene.contact = Contact::Optimal;
+
+  const Solution found = solve(scene, {});
+
+  ASSERT_TRUE(found.verified()) << found.message;
+  // Between 1.95 and 2.05, as solved with tolerance 1e-9 on arcs.
+  EXPECT_NEAR(found.motion()->tau(), 5.215122253020637,
+              *found.estimated_error * 5.2151);
+}
+
 /// In this air the free extremal is followed from still air to 0.12 of the
 /// drag, no further. The program on 30 elements of degree 3, which keeps limits
 /// at its points alone, came to τ = 7.914 from three of six other random paths.

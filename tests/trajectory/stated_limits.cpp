@@ -172,6 +172,26 @@ TEST(Feasibility, TellsWhatIsBeyondALimitBetweenPoints) {
             "points of this mesh");
   EXPECT_NE(reasons[1].find("below its bound 0.1"), std::string::npos);
 
+  // κ_c ≤ 3 of the centre, and −2 ≤ κ_b of the track.
+  scene.limits = {};
+  scene.limits.curvature.hump = 3.0;
+  scene.limits.curvature.of = CurvatureLimit::Of::Centre;
+  const double margin = 1.0 - 3.0 * scene.body.radius;
+  path = {};
+  path.min_fold_margin = {margin, 0.0};
+  EXPECT_TRUE(undecided_because(scene, path).empty());
+  path.min_fold_margin.value = margin - 1e-4;
+  EXPECT_EQ(undecided_because(scene, path).size(), 1U);
+  scene.limits.curvature = {};
+  scene.limits.curvature.valley = 2.0;
+  path.min_curvature = {-2.0 - 1e-9, 0.5};
+  EXPECT_TRUE(undecided_because(scene, path).empty());
+  path.min_curvature.value = -7.84;
+  ASSERT_EQ(undecided_because(scene, path).size(), 1U);
+  EXPECT_EQ(undecided_because(scene, path)[0],
+            "κ_b is 5.8 1/m below its bound -2 at x_b = 0.5, between points of "
+            "this mesh");
+
   scene.limits = {};
   scene.limits.friction = 0.4;
   path = {};

@@ -309,6 +309,7 @@ INSTANTIATE_TEST_SUITE_P(
         Asked{"EdgeThroughBAlongTheTrack", with_end_slope(uniform_scene(), 0.0),
               [](Scene& s) {
                 s.limits.half_planes = {{{0.0, 1.0}, -0.5 * kPi}};
+                s.limits.curvature = {1.0, 1.0};
               },
               "", ""},
         Asked{"HalfPlaneBehindB", uniform_scene(),

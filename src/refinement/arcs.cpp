@@ -206,42 +206,32 @@ std::optional<std::vector<Arc>> held_from_rest(const LimitedCurve& curve,
   return std::nullopt;
 }
 
-std::optional<std::vector<Arc>> turned_from_rest(const LimitedTime& problem,
+std::optional<std::vector<Arc>> turned_from_rest(const LimitedCurve& curve,
                                                  std::vector<Arc> arcs) {
+  constexpr double kWrong = 1e-7;
   constexpr double kShort = 1e-3;  // of the first arc
-  const std::vector<PathInequality>& limits = problem.limits();
-  const std::vector<Held>& held = arcs.front().held;
-  std::vector<Held> turning(held.size(), Held::No);
-  bool of_forces = false;
-  for (std::size_t i = 0; i < held.size(); ++i) {
-    if (limits[i].kind == PathInequality::Kind::Hump)
-      turning[i] = Held::AtLower;
-    of_forces |= held[i] != Held::No && limits[i].bounds_force();
-  }
-  if (!problem.free_contacts() || problem.pushed() || !of_forces ||
-      is_free(turning)) {
+  const LimitedTime& problem = curve.problem();
+  // Otherwise nothing is held at rest.
+  if (!problem.free_contacts() || problem.ends().start_slope_fixed ||
+      problem.pushed()) {
     return std::nullopt;
   }
+  const std::vector<Held>& held = arcs.front().held;
+  std::vector<Held> turning(held.size(), Held::No);
+  bool held_back = false;
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    const PathInequality& limit = problem.limits()[i];
+    if (limit.kind == PathInequality::Kind::Hump) turning[i] = Held::AtLower;
+    if (held[i] == Held::No || !limit.bounds_force()) continue;
+    const int row = problem.layout().start_row(static_cast<int>(i));
+    const double multiplier = curve.point().lambda[at(row)];
+    held_back |= (held[i] == Held::AtLower ? multiplier : -multiplier) > kWrong;
+  }
+  if (!held_back || is_free(turning)) return std::nullopt;
   arcs.insert(arcs.begin(), {.held = turning,
                              .end = kShort * arcs.front().end,
                              .cuts = equal_cuts(1)});
   return arcs;
-}
-
-bool held_back_at_rest(const LimitedCurve& curve,
-                       const std::vector<Arc>& arcs) {
-  constexpr double kWrong = 1e-7;
-  const LimitedTime& problem = curve.problem();
-  const std::vector<Held>& held = arcs.front().held;
-  for (std::size_t i = 0; i < held.size(); ++i) {
-    if (held[i] == Held::No || !problem.limits()[i].bounds_force()) continue;
-    const int row = problem.layout().start_row(static_cast<int>(i));
-    const double multiplier = curve.point().lambda[at(row)];
-    if ((held[i] == Held::AtLower ? multiplier : -multiplier) > kWrong) {
-      return true;
-    }
-  }
-  return false;
 }
 
 double junction_residual(const LimitedCurve& curve,

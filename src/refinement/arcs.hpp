@@ -127,16 +127,11 @@ inline constexpr double kExceeded = 1e-7;
     const LimitedCurve& curve, const std::vector<Arc>& arcs);
 
 /// The same arcs but that the path turns as fast as humps may until it comes to
-/// the limit on forces that the first arc holds from rest on: what a slope at A
-/// does that is free and would rather be within the static cone. Nothing where
-/// that cannot be.
+/// the limit on forces that the first arc holds from rest on, if the static
+/// cone at A holds back a free slope that would rather be within it, as the
+/// multiplier of what is held at rest says. Nothing if it does not.
 [[nodiscard]] std::optional<std::vector<Arc>> turned_from_rest(
-    const LimitedTime& problem, std::vector<Arc> arcs);
-
-/// Whether the static cone at A holds back a slope that would rather be within
-/// it, by the multiplier of what the first arc holds at rest.
-[[nodiscard]] bool held_back_at_rest(const LimitedCurve& curve,
-                                     const std::vector<Arc>& arcs);
+    const LimitedCurve& curve, std::vector<Arc> arcs);
 
 /// By how much a condition of optimality fails at the junction behind an arc:
 ///

@@ -181,9 +181,7 @@ void conclude_again_and_again(const PosedProblem& posed,
       return true;
     };
     auto held = held_from_rest(path.curve, path.arcs);
-    if (!held && held_back_at_rest(path.curve, path.arcs)) {
-      held = turned_from_rest(path.curve.problem(), path.arcs);
-    }
+    if (!held) held = turned_from_rest(path.curve, path.arcs);
     if (round == kRounds || (!(held && resolved_by(*std::move(held))) &&
                              !(under_resolved(out.certificate) &&
                                resolved_by(halved(path.arcs))))) {

@@ -284,14 +284,19 @@ void check_clearance(const Scene& scene, SceneChecker& check) {
       const HalfPlane& plane = scene.limits.half_planes[i];
       const double off = (end.at.x - plane.point.x) * std::cos(plane.normal) +
                          (end.at.z - plane.point.z) * std::sin(plane.normal);
+      // As of a floor: the centre is r_e from the track.
+      const double reach = scene.body.outer_radius() - scene.body.radius;
+      const double rounding = kBoundSlack * (scene.L + scene.H);
       if (end.name == 'B' && scene.body.rolls() && slope_at_B_is_free(scene) &&
-          std::abs(off) <= kBoundSlack * (scene.L + scene.H)) {
-        check.add(kClearOf,
-                  fmt::format("half_plane number {} is not allowed: B = ({}, "
-                              "{}) lies on its edge, and on any slope but that "
-                              "of the edge a body that stands there reaches "
-                              "into it",
-                              i + 1, end.at.x, end.at.z));
+          off >= -rounding && off <= reach + rounding) {
+        check.add(
+            kClearOf,
+            fmt::format("half_plane number {} is not allowed: B = ({}, {}) "
+                        "lies {:.6g} m from its edge; it must be more than "
+                        "{:.6g} m, for a body that stands at B on any slope "
+                        "but that of the edge reaches further",
+                        i + 1, end.at.x, end.at.z, off <= rounding ? 0.0 : off,
+                        reach));
       } else {
         keep_off("half_plane", i, off);
       }

@@ -127,9 +127,10 @@ inline constexpr double kExceeded = 1e-7;
     const LimitedCurve& curve, const std::vector<Arc>& arcs);
 
 /// The same arcs but that the path turns as fast as humps may until it comes to
-/// the limit on forces that the first arc holds from rest on, if the static
-/// cone at A holds back a free slope that would rather be within it, as the
-/// multiplier of what is held at rest says. Nothing if it does not.
+/// the limit on forces that the first arc holds from rest on, which friction
+/// and a least load make it do from the flatter side, if the static cone at A
+/// holds back a free slope that would rather be within it, as the multiplier of
+/// what is held at rest says. Nothing if it does not.
 [[nodiscard]] std::optional<std::vector<Arc>> turned_from_rest(
     const LimitedCurve& curve, std::vector<Arc> arcs);
 

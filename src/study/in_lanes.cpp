@@ -3,6 +3,7 @@
 
 #include "study/in_lanes.hpp"
 
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <memory>
@@ -70,8 +71,8 @@ double excess(const std::vector<LimitOnPath>& limits, const Scene& scene) {
   double most = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < limits.size(); ++i) {
     const double here = -limits[i].least_slack * stated[i].natural;
-    // Written so that no number stays.
-    if (!(here <= most)) most = here;
+    // In this order no number stays.
+    if (std::isnan(here) || here > most) most = here;
   }
   return most;
 }

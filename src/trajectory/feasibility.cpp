@@ -101,9 +101,9 @@ std::vector<std::string> undecided_because(const Scene& scene,
   // Where arcs are known, and elements as short as they need be, limits are
   // kept between points as well as at them.
   const auto between = [&](const char* what, const Extreme& least, double bound,
-                           const char* unit) {
+                           const char* unit, double of = 1.0) {
     constexpr double kKept = 1e-6;  // a hundred times a certificate's threshold
-    if (least.value >= bound - kKept) return;
+    if (least.value >= bound - kKept * of) return;
     reasons.push_back(fmt::format(
         "{} is {:.2g}{} below its bound {:.6g} {}, between points of this mesh",
         what, bound - least.value, unit, bound, place_text(least)));
@@ -128,9 +128,11 @@ std::vector<std::string> undecided_because(const Scene& scene,
       between("1 − r κ_c", path.min_fold_margin,
               1.0 - scene.body.folding_distance() * K, "");
     }
-    if (limit.kind == PathInequality::Kind::Valley) {
-      between("κ_b", path.min_curvature, -K / (1.0 + scene.body.radius * K),
-              " 1/m");
+    // A track that folds is as sharp as one likes.
+    if (limit.kind == PathInequality::Kind::Valley &&
+        path.min_fold_margin.value > 0.0) {
+      const double sharpest = K / (1.0 + scene.body.radius * K);
+      between("κ_b", path.min_curvature, -sharpest, " 1/m", sharpest);
     }
   }
   if (!limits.fold_margin) {

@@ -304,8 +304,8 @@ INSTANTIATE_TEST_SUITE_P(
                 s.limits.half_planes = {{{0.0, 1.0}, -0.5 * kPi}};
               },
               "scene.limits.clear_of",
-              "half_plane number 1 is not allowed: B = (3, 1) lies on its "
-              "edge"},
+              "half_plane number 1 is not allowed: B = (3, 1) lies 0 m from "
+              "its edge; it must be more than 0 m"},
         Asked{"EdgeThroughBAlongTheTrack", with_end_slope(uniform_scene(), 0.0),
               [](Scene& s) {
                 s.limits.half_planes = {{{0.0, 1.0}, -0.5 * kPi}};

@@ -475,6 +475,7 @@ TEST(HardLimits, NoMatrixHasMorePositiveEigenvaluesThanVariables) {
   const Solution found = solve(scene, {});
 
   ASSERT_TRUE(found.verified()) << found.message;
+  EXPECT_LE(*found.estimated_error, 1e-5);
   // Between 1.95 and 2.05, as solved with tolerance 1e-9 on arcs.
   EXPECT_NEAR(found.motion()->tau(), 5.215122253020637,
               *found.estimated_error * 5.2151);

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <stdexcept>
@@ -191,6 +192,21 @@ TEST(Feasibility, TellsWhatIsBeyondALimitBetweenPoints) {
   EXPECT_EQ(undecided_because(scene, path)[0],
             "κ_b is 5.8 1/m below its bound -2 at x_b = 0.5, between points of "
             "this mesh");
+  // Of a track that folds κ_b says nothing.
+  path.min_fold_margin.value = -0.1;
+  path.min_curvature.value = -std::numeric_limits<double>::infinity();
+  for (const std::string& reason : undecided_because(scene, path)) {
+    EXPECT_EQ(reason.find("κ_b"), std::string::npos);
+  }
+  // A thousandth of all lengths is the same path.
+  scene.body.radius *= 1e-3;
+  scene.limits.curvature.valley = 2e3;
+  path = {};
+  path.min_fold_margin = {1.0, 0.0};
+  path.min_curvature = {-2e3 * (1.0 + 2e-8), 0.5};
+  EXPECT_TRUE(undecided_because(scene, path).empty());
+  path.min_curvature.value = -2e3 * (1.0 + 2e-6);
+  EXPECT_EQ(undecided_because(scene, path).size(), 1U);
 
   scene.limits = {};
   scene.limits.friction = 0.4;
